@@ -60,6 +60,13 @@
   }
   var askLength = () => tr("Type how long the ruler is, then press “Follow”.");
   var nothingThere = () => tr("Nothing stands out there. Click on a mark with a colour of its own.");
+  var otherMark = (name) => tr("That is the mark of the other cart. Click on the mark of cart {name}.", { name });
+  var lengthIsNone = (problem) => tr("Length of the ruler: {problem}", { problem });
+  var endsAlike = () => tr("Both ends of the ruler are in one place. Press the button of an end and set it anew.");
+  var tooFew = (frames, fewest) => tr(
+    "From this frame on the film is too short: {frames} of at least {fewest} frames. Set the marks earlier, or film for longer.",
+    { frames, fewest }
+  );
   var noCamera = () => tr("There is no camera here, or this page may not use it.");
   var cameraPicture = () => tr("picture of the camera");
   var startFilming = () => tr("Start filming");
@@ -147,6 +154,12 @@
   function fixed(value, decimals) {
     const text = Math.abs(value).toFixed(decimals);
     return value < 0 && /[1-9]/.test(text) ? `−${text}` : text;
+  }
+
+  // src/shared/enter.js
+  var isEnter = ({ key, isComposing, keyCode }) => key === "Enter" && !isComposing && keyCode !== 229;
+  function onEnter(box, act) {
+    box?.addEventListener("keydown", (event) => isEnter(event) && !event.repeat && act());
   }
 
   // src/film/frames.js
@@ -584,9 +597,11 @@
     return "problem" in read ? read.problem : "";
   }
   var ifTyped = (box) => box.value.trim() ? problemIn(box) : "";
+  function unlessPositive(box, problem) {
+    return Number(numberIn(box) ?? 1) <= 0 ? tr("A number above 0, please.") : problem;
+  }
   function complainUnlessPositive(box, problem) {
-    const low = Number(numberIn(box) ?? 1) <= 0;
-    complain(box, low ? tr("A number above 0, please.") : problem);
+    complain(box, unlessPositive(box, problem));
   }
   function complain(box, problem) {
     const place = box.closest("label, [data-hand]") ?? box.parentElement;
@@ -621,12 +636,28 @@
       this.inputs = [...Object.values(this.boxes), this.unit];
       for (const input of this.inputs) input.addEventListener("input", changed);
       const { length, slower } = this.boxes;
-      length.addEventListener("change", () => complainUnlessPositive(length, ifTyped(length)));
+      length.addEventListener("change", () => {
+        complainUnlessPositive(length, ifTyped(length));
+        changed();
+      });
       slower.addEventListener("change", () => complainUnlessPositive(slower, problemIn(slower)));
     }
     set(point) {
       if (this.aim) this.points[this.aim] = point;
       this.aim = AIMS.find((aim) => !this.points[aim]) ?? this.aim;
+    }
+    isOther(mark) {
+      const other = this.points[this.aim === "A" ? "B" : "A"];
+      return Boolean(other && near(other, mark, Math.max(1, other.radius ?? 0)));
+    }
+    get next() {
+      const { aim, points, boxes } = this;
+      if (aim && (!this.placed || !points[aim])) return asked(aim);
+      const { length } = boxes;
+      const wrong = length !== document.activeElement && unlessPositive(length, ifTyped(length));
+      if (wrong) return lengthIsNone(wrong);
+      const { one, other } = points;
+      return one && other && near(one, other, 1) ? endsAlike() : askLength();
     }
     forgetMarks() {
       delete this.points.A;
@@ -651,7 +682,7 @@
       const { one, other } = this.points;
       if (!one || !other || !(this.length > 0)) return null;
       if (numberIn(this.boxes.slower) !== this.slower) return null;
-      if (Math.hypot(one.x - other.x, one.y - other.y) < 1) return null;
+      if (near(one, other, 1)) return null;
       return { ends: [one, other], length: this.length };
     }
     get marks() {
@@ -669,6 +700,9 @@
       for (const input of this.inputs) input.disabled = !offered.length;
     }
   };
+  function near(a, b, pixels) {
+    return Math.hypot(a.x - b.x, a.y - b.y) < pixels;
+  }
 
   // src/film/clamp.js
   var clamp = (v, low, high) => Math.max(low, Math.min(high, v));
@@ -809,13 +843,13 @@
     }
     #hair({ x, y }, fine) {
       const path = new Path2D();
-      for (const [near, far] of [
+      for (const [near2, far] of [
         [4, 16],
         [-4, -16]
       ]) {
-        path.moveTo(x + 0.5 + Number(near) * fine, y + 0.5);
+        path.moveTo(x + 0.5 + Number(near2) * fine, y + 0.5);
         path.lineTo(x + 0.5 + Number(far) * fine, y + 0.5);
-        path.moveTo(x + 0.5, y + 0.5 + Number(near) * fine);
+        path.moveTo(x + 0.5, y + 0.5 + Number(near2) * fine);
         path.lineTo(x + 0.5, y + 0.5 + Number(far) * fine);
       }
       this.#line(path, "#fff", fine);
@@ -855,6 +889,7 @@
   var ENDS = ["one", "other"];
   var ALL = ["A", "B", "one", "other"];
   var TYPED = 600;
+  var FEWEST = 8;
   var CARTS = ["A", "B"];
   var Session = class {
     #laid = null;
@@ -885,6 +920,7 @@
         });
       }
       this.#on("follow", () => void this.follow());
+      onEnter(this.setup.boxes.length, () => void this.follow());
       this.#on("cancel", () => this.helper.stop());
       this.#on("next", () => this.#repair?.next());
       this.#on("leave", () => this.#repair?.leave());
@@ -953,9 +989,9 @@
     #changed() {
       this.setup.show();
       if (this.phase !== "marking") return;
-      const { aim, placed, points, ruler } = this.setup;
+      const { placed, ruler, next } = this.setup;
       this.#button("follow").disabled = !placed || !ruler;
-      this.#say(aim && (!placed || !points[aim]) ? asked(aim) : askLength());
+      this.#say(next);
       this.view.mark(this.#marks());
     }
     async #set(point) {
@@ -969,12 +1005,13 @@
         const { mark } = await this.helper.ask(asked2).catch(() => ({ mark: null }));
         if (this.setup.aim !== aim || this.#turn !== turn) return;
         if (!mark) return this.#say(nothingThere());
+        if (this.setup.isOther(mark)) return this.#say(otherMark(aim));
         this.setup.set(mark);
       }
       this.#changed();
     }
     async follow() {
-      if (this.phase !== "marking" || !this.setup.ruler) return;
+      if (this.phase !== "marking" || !this.setup.placed || !this.setup.ruler) return;
       const bar = need(this.root, ".carts-film-part");
       bar.value = 0;
       this.#become("following");
@@ -986,12 +1023,10 @@
           bar.value = part;
           this.#say(following(part));
         });
-        if (rows) this.#followed(rows, broken);
-        else {
-          this.#become("marking");
-          this.#changed();
-          this.#say(cancelled());
-        }
+        if (rows && rows.length >= FEWEST) return this.#followed(rows, broken);
+        this.#become("marking");
+        this.#changed();
+        this.#say(rows ? tooFew(rows.length, FEWEST) : cancelled());
       } catch (refused) {
         this.#fail(refused);
       }

@@ -289,9 +289,11 @@
     return "problem" in read ? read.problem : "";
   }
   var ifTyped = (box) => box.value.trim() ? problemIn(box) : "";
+  function unlessPositive(box, problem2) {
+    return Number(numberIn(box) ?? 1) <= 0 ? tr("A number above 0, please.") : problem2;
+  }
   function complainUnlessPositive(box, problem2) {
-    const low = Number(numberIn(box) ?? 1) <= 0;
-    complain(box, low ? tr("A number above 0, please.") : problem2);
+    complain(box, unlessPositive(box, problem2));
   }
   function complain(box, problem2) {
     const place2 = box.closest("label, [data-hand]") ?? box.parentElement;

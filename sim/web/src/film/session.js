@@ -2,6 +2,7 @@
 
 import { fixed } from "../../../view/numbers.js";
 import { need, say } from "../shared/dom.js";
+import { onEnter } from "../shared/enter.js";
 import { Frames } from "./frames.js";
 import { Helper } from "./helper.js";
 import { Laid } from "./laid.js";
@@ -21,6 +22,7 @@ import * as words from "./words.js";
 const ENDS = ["one", "other"];
 const ALL = /** @type {import("./words.js").Aim[]} */ (["A", "B", "one", "other"]);
 const TYPED = 600; // ms
+const FEWEST = 8; // frames, as of any readings
 const CARTS = /** @type {import("./words.js").Aim[]} */ (["A", "B"]);
 
 export class Session {
@@ -53,6 +55,7 @@ export class Session {
       });
     }
     this.#on("follow", () => void this.follow());
+    onEnter(this.setup.boxes.length, () => void this.follow());
     this.#on("cancel", () => this.helper.stop());
     this.#on("next", () => this.#repair?.next());
     this.#on("leave", () => this.#repair?.leave());
@@ -143,9 +146,9 @@ export class Session {
   #changed() {
     this.setup.show();
     if (this.phase !== "marking") return;
-    const { aim, placed, points, ruler } = this.setup;
+    const { placed, ruler, next } = this.setup;
     this.#button("follow").disabled = !placed || !ruler;
-    this.#say(aim && (!placed || !points[aim]) ? words.asked(aim) : words.askLength());
+    this.#say(next);
     this.view.mark(this.#marks());
   }
 
@@ -161,6 +164,7 @@ export class Session {
       const { mark } = await this.helper.ask(asked).catch(() => ({ mark: null }));
       if (this.setup.aim !== aim || this.#turn !== turn) return; // of another frame now
       if (!mark) return this.#say(words.nothingThere());
+      if (this.setup.isOther(mark)) return this.#say(words.otherMark(aim));
       this.setup.set(mark);
     }
     this.#changed();
@@ -168,7 +172,7 @@ export class Session {
 
   /** Follows both marks from the frame that is shown to the end of the film. */
   async follow() {
-    if (this.phase !== "marking" || !this.setup.ruler) return;
+    if (this.phase !== "marking" || !this.setup.placed || !this.setup.ruler) return;
     const bar = /** @type {HTMLProgressElement} */ (need(this.root, ".carts-film-part"));
     bar.value = 0;
     this.#become("following");
@@ -180,12 +184,10 @@ export class Session {
         bar.value = part;
         this.#say(words.following(part));
       });
-      if (rows) this.#followed(rows, broken);
-      else {
-        this.#become("marking");
-        this.#changed();
-        this.#say(words.cancelled());
-      }
+      if (rows && rows.length >= FEWEST) return this.#followed(rows, broken);
+      this.#become("marking");
+      this.#changed();
+      this.#say(rows ? words.tooFew(rows.length, FEWEST) : words.cancelled());
     } catch (refused) {
       this.#fail(/** @type {Refusal} */ (refused));
     }

@@ -1,7 +1,14 @@
 /** What a film needs before it is followed: both marks, both ends of the ruler, its length, and how slow the film runs. */
 
 import { need } from "../shared/dom.js";
-import { complainUnlessPositive, ifTyped, numberIn, problemIn } from "../shared/number-box.js";
+import {
+  complainUnlessPositive,
+  ifTyped,
+  numberIn,
+  problemIn,
+  unlessPositive,
+} from "../shared/number-box.js";
+import * as words from "./words.js";
 
 /** @typedef {import("./along.js").Point} Point */
 /** @typedef {import("./words.js").Aim} Aim */
@@ -38,7 +45,10 @@ export class Setup {
     this.inputs = [...Object.values(this.boxes), this.unit];
     for (const input of this.inputs) input.addEventListener("input", changed);
     const { length, slower } = this.boxes;
-    length.addEventListener("change", () => complainUnlessPositive(length, ifTyped(length)));
+    length.addEventListener("change", () => {
+      complainUnlessPositive(length, ifTyped(length));
+      changed();
+    });
     slower.addEventListener("change", () => complainUnlessPositive(slower, problemIn(slower)));
   }
 
@@ -46,6 +56,23 @@ export class Setup {
   set(point) {
     if (this.aim) this.points[this.aim] = point;
     this.aim = AIMS.find((aim) => !this.points[aim]) ?? this.aim;
+  }
+
+  /** Whether a mark that was found is that of the other cart. @param {Chosen} mark @returns {boolean} */
+  isOther(mark) {
+    const other = this.points[this.aim === "A" ? "B" : "A"];
+    return Boolean(other && near(other, mark, Math.max(1, other.radius ?? 0)));
+  }
+
+  /** @returns {string} what is to be done before the film can be followed, or to follow it */
+  get next() {
+    const { aim, points, boxes } = this;
+    if (aim && (!this.placed || !points[aim])) return words.asked(aim);
+    const { length } = boxes;
+    const wrong = length !== document.activeElement && unlessPositive(length, ifTyped(length));
+    if (wrong) return words.lengthIsNone(wrong);
+    const { one, other } = points;
+    return one && other && near(one, other, 1) ? words.endsAlike() : words.askLength();
   }
 
   /** Marks hold for the frame in which they were clicked. */
@@ -82,7 +109,7 @@ export class Setup {
     const { one, other } = this.points;
     if (!one || !other || !(this.length > 0)) return null;
     if (numberIn(this.boxes.slower) !== this.slower) return null; // how slow is not known
-    if (Math.hypot(one.x - other.x, one.y - other.y) < 1) return null;
+    if (near(one, other, 1)) return null;
     return { ends: [one, other], length: this.length };
   }
 
@@ -103,4 +130,9 @@ export class Setup {
     }
     for (const input of this.inputs) input.disabled = !offered.length;
   }
+}
+
+/** @param {Point} a @param {Point} b @param {number} pixels */
+function near(a, b, pixels) {
+  return Math.hypot(a.x - b.x, a.y - b.y) < pixels;
 }

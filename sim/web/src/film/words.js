@@ -38,6 +38,21 @@ export function asked(aim) {
 export const askLength = () => tr("Type how long the ruler is, then press “Follow”.");
 export const nothingThere = () =>
   tr("Nothing stands out there. Click on a mark with a colour of its own.");
+/** @param {string} name of the cart whose mark is to be set */
+export const otherMark = (name) =>
+  tr("That is the mark of the other cart. Click on the mark of cart {name}.", { name });
+
+/** @param {string} problem */
+export const lengthIsNone = (problem) => tr("Length of the ruler: {problem}", { problem });
+export const endsAlike = () =>
+  tr("Both ends of the ruler are in one place. Press the button of an end and set it anew.");
+
+/** @param {number} frames @param {number} fewest */
+export const tooFew = (frames, fewest) =>
+  tr(
+    "From this frame on the film is too short: {frames} of at least {fewest} frames. Set the marks earlier, or film for longer.",
+    { frames, fewest },
+  );
 export const noCamera = () => tr("There is no camera here, or this page may not use it.");
 export const cameraPicture = () => tr("picture of the camera");
 export const startFilming = () => tr("Start filming");

@@ -20,10 +20,14 @@ export function problemIn({ value }) {
 /** The same of a box that may stay empty. @param {HTMLInputElement} box */
 export const ifTyped = (box) => (box.value.trim() ? problemIn(box) : "");
 
-/** The same where only what is above 0 makes sense; why is told beside it. @param {HTMLInputElement} box @param {string} problem */
+/** The same where only what is above 0 makes sense. @param {HTMLInputElement} box @param {string} problem */
+export function unlessPositive(box, problem) {
+  return Number(numberIn(box) ?? 1) <= 0 ? tr("A number above 0, please.") : problem;
+}
+
+/** The same, told beside it. @param {HTMLInputElement} box @param {string} problem */
 export function complainUnlessPositive(box, problem) {
-  const low = Number(numberIn(box) ?? 1) <= 0;
-  complain(box, low ? tr("A number above 0, please.") : problem);
+  complain(box, unlessPositive(box, problem));
 }
 
 /** @param {HTMLInputElement} box @param {string} problem told beside it; empty: none */
