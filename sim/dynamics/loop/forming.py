@@ -78,7 +78,9 @@ class Forming:
             self.solvers[solver.name] += 1
             if solver.tier > 1:
                 self.steps += 1
-            if ready and solver.members:
+            if solver.members and not ready:  # nor does the end of what moved it before come
+                self.calendar.parted(solver.members[0])
+            elif solver.members:
                 self.calendar.gap(solver.members[0], now, solver.duration)
             elif ready:
                 self.calendar.body(solver.bodies[0], now, solver.duration)
