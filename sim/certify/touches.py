@@ -166,6 +166,9 @@ class Touch:
             return None
         if self.stage == "press":
             return (2 * half / swing.w, "apart") if self.elastic else (half / swing.w, "turn")
+        held = phase.left.held or phase.right.held
+        if self.at_no_force and held and not is_zero(self.zeta):
+            return None  # ζ is of both masses: beside one that is held the other's alone swings
         if self.at_no_force and swing.turns:
             return 2 * self.zeta.acos() / swing.w, "apart"
         if self.at_no_force:

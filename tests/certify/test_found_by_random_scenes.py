@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from sim.certify.certificate import certify, document
 from sim.scene import read_scene
 from tests.certify.held import misses
@@ -94,3 +96,21 @@ def test_the_spring_of_an_exploder_is_followed_when_what_it_pushes_comes_off_a_w
     found = document(certify(scene))
     assert found["final"]["x"]
     assert misses(scene, found) == []
+
+
+@pytest.mark.parametrize("law", ["push-only", "push-only-uncorrected", "paper", "bumper"])
+@pytest.mark.parametrize("speed", [0.01, 0.05])
+@pytest.mark.parametrize("e", [0.5, 0.7, 1])
+def test_a_contact_beside_a_cart_that_friction_holds_ends_when_forty_digits_say(
+    law: str, speed: float, e: float
+) -> None:
+    """B's whole mass swings against A, which stands: with less damping, and later, than two that
+    move. At 1 cm/s A stays; at 5 cm/s it starts and stops in most of these contacts."""
+    scene = read_scene({
+        "carts": {"A": {"mass": 0.5, "position": 0.5},
+                  "B": {"mass": 1, "position": 0.62, "velocity": -speed, "length": 0}},
+        "contact": {"law": law, "restitution": e, "stiffness": 20000}, "until": 3,
+        "effects": [{"friction": {"coefficient": 0.3, "static": 0.45, "carts": ["A"]}}],
+    })  # fmt: skip
+    found = document(certify(scene))
+    assert found["order"] == "proved" and misses(scene, found) == []
