@@ -89,3 +89,57 @@ def test_an_elastic_contact_on_a_rough_track_warms_only_the_track(law: str) -> N
     assert all(v >= 0 for v in samples.columns[("v", "B")])
     if all(v >= 0 for v in samples.columns[("v", "A")]):
         assert parts["warmed"][-1] == pytest.approx(rubbed, rel=1e-6)
+
+
+@pytest.mark.parametrize("damping", [0, 0.2])
+@pytest.mark.parametrize("law", ["bumper", "paper", "push-only", "hertz"])
+def test_a_spring_beside_pressed_bumpers_keeps_its_own_energy(law: str, damping: float) -> None:
+    """Squeezed together with them it holds k (l − room)²/2, the room being below nought; without
+    a damper nothing warms."""
+    spring = {"between": ["A", "B"], "stiffness": 100, "length": 0.1, "damping": damping}
+    plain = {
+        "carts": {
+            "A": {"mass": 1, "position": 0.4, "velocity": 1},
+            "B": {"mass": 1, "position": 0.8, "velocity": -1},
+        },
+        "contact": {"law": law, "restitution": 1, "stiffness": 2000},
+        "effects": [{"spring": spring}],
+        "until": 0.4,
+    }
+    finished = run(read_scene(plain))
+    samples = trajectory(finished)
+    parts, columns = energy_parts(finished, samples), samples.columns
+    rooms = [b - a - 0.2 for a, b in zip(columns["x", "A"], columns["x", "B"], strict=True)]
+    assert min(rooms) < -0.01
+    assert parts["spring"] == pytest.approx([50 * (0.1 - room) ** 2 for room in rooms], abs=LAST)
+    if damping:
+        for before, after in itertools.pairwise(parts["warmed"]):
+            assert after >= before - LAST
+    else:
+        assert parts["warmed"] == pytest.approx([0] * samples.rows, abs=LAST)
+
+
+@pytest.mark.parametrize("e", [0.1, 0.5, 0.9])
+@pytest.mark.parametrize(("law", "power"), [("paper", 2.0), ("hertz", 2.5)])
+def test_what_is_squeezed_stays_stored_while_the_damper_pulls(
+    law: str, power: float, e: float
+) -> None:
+    """Laws that end at no overlap: their spring holds k d^p/p, whichever way they pull."""
+    plain = {
+        "carts": {
+            "A": {"mass": 1, "position": 0.4, "velocity": 1},
+            "B": {"mass": 1, "position": 0.8},
+        },
+        "contact": {"law": law, "restitution": e, "stiffness": 400},
+        "effects": [{"drag": {"linear": 0.001}}],
+        "until": 1.2,
+    }
+    finished = run(read_scene(plain))
+    samples = trajectory(finished)
+    parts, columns = energy_parts(finished, samples), samples.columns
+    rooms = [b - a - 0.2 for a, b in zip(columns["x", "A"], columns["x", "B"], strict=True)]
+    assert min(columns["F", "A-B"]) < 0.0
+    held = [400 / power * max(0.0, -room) ** power for room in rooms]
+    assert parts["bumpers"] == pytest.approx(held, abs=LAST)
+    for before, after in itertools.pairwise(parts["warmed"]):
+        assert after >= before - LAST

@@ -123,8 +123,9 @@ class _Account:
             for one in self.acting:
                 link = one.pair_force(gap)
                 if link is not None:
-                    found[one.kind] += link.energy(max(room, TOUCH))
-                    between += link.force(max(room, TOUCH), rate)
+                    near = room if link.linear else max(room, TOUCH)
+                    found[one.kind] += link.energy(near)
+                    between += link.force(near, rate)
             for release, loose in self.springs:
                 if release.gap != gap:
                     continue
@@ -194,9 +195,9 @@ def _room(scene: Scene, x: list[float], v: list[float], gap: int) -> tuple[float
 def _squeezed(contact: Contact, overlap: float, force: float, least: float = 0.0) -> float:
     """J. What the bumpers of a pair give back; infinite force: not known, as at the start.
 
-    Parted ones that overlap have no force; `least` [N] is what rounding may leave of it.
+    Of parted ones that overlap there is none; `least` [N] is what rounding may leave of it.
     """
     law = contact_law(contact)
-    if law is None or overlap <= TOUCH or force <= least:
+    if law is None or overlap <= TOUCH:
         return 0.0
-    return law.stored_under(overlap, force)
+    return law.stored_under(overlap, force if force > least else 0.0)

@@ -60,6 +60,10 @@ class PushOnly(Dashpot):
         """Whatever is left: nothing without damping, when force and overlap are nought together."""
         return 0.0 if self.e == 1.0 else d
 
+    def stored_under(self, d: float, force: float) -> float:
+        """k d²/2 while it pushes: parted carts may still overlap."""
+        return 0.5 * self.stiffness * d**2 if force > 0.0 else 0.0
+
     def last_force(self, mu: float, v: float) -> float:
         """It ends where there is none."""
         return 0.0
