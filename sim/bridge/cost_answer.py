@@ -19,6 +19,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from sim.bridge.alive import alive
+from sim.bridge.how_answer import way_of
 from sim.bridge.protocol import track_of
 from sim.dynamics.cost.exact import exact
 from sim.dynamics.cost.measure import exact_rows, row, ways
@@ -28,9 +29,9 @@ from sim.dynamics.report.document import finite
 from sim.dynamics.result.ledger import kinetic
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.result.trajectory import sample
-from sim.dynamics.stepping.methods import ADAPTIVE, NAMES, Way
+from sim.dynamics.stepping.methods import Way
 from sim.dynamics.stepping.recorded import SteppedRun, stepped
-from sim.scene import Problem, Scene, SceneError, read_scene
+from sim.scene import Scene, read_scene
 from sim.scene.said import wire
 
 MOST_PARTS = 20_000
@@ -51,7 +52,7 @@ def cost_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float
         return _digits(scene, measured), array("d")
     if isinstance(number, int):
         return _row(scene, number), array("d")
-    return _run(scene, _way(scene, request))
+    return _run(scene, way_of(scene, {"parts": 1_000, **request}, MOST_PARTS))
 
 
 def _row(scene: Scene, number: int) -> dict[str, Any]:
@@ -74,20 +75,6 @@ def _row(scene: Scene, number: int) -> dict[str, Any]:
 def _digits(scene: Scene, rows: list[dict[str, Any]]) -> dict[str, Any]:
     truth = exact(scene)
     return {"digits": digits_of(rows, speed_of(truth)), "floor": floor_of(truth)}
-
-
-def _way(scene: Scene, request: Mapping[str, Any]) -> Way:
-    method, parts = request.get("method"), request.get("parts", 1_000)
-    if method not in NAMES:
-        raise SceneError(
-            [Problem(("method",), "unknown-method", "there is no such method", ", ".join(NAMES))]
-        )
-    if method in ADAPTIVE:
-        return Way(str(method), rtol=min(0.1, max(1e-13, float(request.get("rtol", 1e-9)))))
-    if not isinstance(parts, int) or not 1 <= parts <= MOST_PARTS:
-        problem = Problem(("parts",), "range", "too many steps for a page", f"1 to {MOST_PARTS}")
-        raise SceneError([problem])
-    return Way(str(method), step=scene.until / parts)
 
 
 def _run(scene: Scene, way: Way) -> tuple[dict[str, Any], array[float]]:

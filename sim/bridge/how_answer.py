@@ -19,17 +19,17 @@ from typing import Any
 from sim.bridge.alive import alive
 from sim.bridge.protocol import MOST_EVENTS_DRAWN, MOST_STEPS_DRAWN, effects_of, plain_of, wire
 from sim.dynamics.cost.distance import far
-from sim.dynamics.loop.run import is_of_the_numbers, run
+from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import finite
 from sim.dynamics.report.warnings import warnings
 from sim.dynamics.result.finished import Run
-from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.result.trajectory import trajectory
 from sim.dynamics.stepping.drawn import Drawn, drawn
 from sim.dynamics.stepping.methods import ADAPTIVE, NAMES, Way, outcome
 from sim.dynamics.stepping.recorded import SteppedRun, stepped
 from sim.dynamics.stepping.stepped_report import stepped_report
 from sim.scene import Problem, Scene, SceneError, read_scene
+from sim.scene.said import said
 from sim.scene.said import wire as said_by
 
 MOST_PARTS = 5_000
@@ -48,40 +48,32 @@ def how_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]
     if "method" not in request:
         return {"cost": _cost(scene)}, array("d")
     way = way_of(scene, request)
-    try:
-        result = stepped(scene, way)
-        solved = _exact(scene)
-        shown = drawn(result, solved)
-        header, numbers = wire(result.run, shown.samples, stepped_report(result))
-        header["events"] = [
-            e for e in header["events"] if shown.blown is None or e["t"] < shown.blown
-        ]
-        header["effects"] = effects_of(plain, scene)
-        # A blown-up run would ask for stiffnesses that no bumper has.
-        header["warnings"] = [
-            {"code": w.code, "message": said_by(w.message)} for w in warnings(solved)
-        ]
-        header["how"] = finite(_compared(scene, way, result, solved, shown))
-    except (ArithmeticError, ValueError) as error:
-        if not is_of_the_numbers(error):
-            raise
-        raise UnsolvedError(
-            "the numbers of this method grow beyond all bounds", "a shorter step", 0.0, ()
-        ) from None
+    result = stepped(scene, way)
+    solved = _exact(scene)
+    shown = drawn(result, solved)
+    header, numbers = wire(result.run, shown.samples, stepped_report(result))
+    header["events"] = [e for e in header["events"] if shown.blown is None or e["t"] < shown.blown]
+    header["effects"] = effects_of(plain, scene)
+    # A blown-up run would ask for stiffnesses that no bumper has.
+    header["warnings"] = [{"code": w.code, "message": said_by(w.message)} for w in warnings(solved)]
+    header["how"] = finite(_compared(scene, way, result, solved, shown))
     return header, numbers
 
 
-def way_of(scene: Scene, request: Mapping[str, Any]) -> Way:
-    """The method that a page asks for; raises SceneError."""
+def way_of(scene: Scene, request: Mapping[str, Any], most: int = MOST_PARTS) -> Way:
+    """The method that a page asks for, in `most` steps; raises SceneError."""
     method, parts = request.get("method"), request.get("parts", 0)
     if method not in NAMES:
-        problem = Problem(("method",), "unknown-method", "no such method", ", ".join(NAMES))
+        problem = Problem(("method",), "unknown-method", said("no such method"), ", ".join(NAMES))
         raise SceneError([problem])
     if method in ADAPTIVE:
         return Way(str(method), rtol=min(0.1, max(1e-13, float(request.get("rtol") or 1e-9))))
-    if not isinstance(parts, int) or not 1 <= parts <= MOST_PARTS:
-        problem = Problem(("parts",), "range", "no such number of steps", f"1 to {MOST_PARTS}")
-        raise SceneError([problem])
+    if not isinstance(parts, int) or not 1 <= parts <= most:
+        message, hint = (
+            said("no such number of steps"),
+            said("{low} to {high}", low="1", high=str(most)),
+        )
+        raise SceneError([Problem(("parts",), "range", message, hint)])
     return Way(str(method), step=scene.until / parts)
 
 

@@ -33,8 +33,8 @@ def law_answer(request: Mapping[str, Any]) -> Answer:
     plain = plain_of(request)
     scene = read_scene(plain)
     if not scene.written:
-        problem = Problem(("contact", "law"), "no-law", "this scene names no law of its own", "")
-        raise SceneError([problem])
+        message = said("this scene names no law of its own")
+        raise SceneError([Problem(("contact", "law"), "no-law", message, "")])
     if request.get("do") == "judge":
         return _judged(request, scene), array("d")
     return run_written(plain, scene)

@@ -18,7 +18,7 @@ from importlib import import_module
 from typing import Any
 
 from sim.bridge.alive import alive
-from sim.dynamics.loop.run import run
+from sim.dynamics.loop.run import is_of_the_numbers, out_of_range, run
 from sim.dynamics.report.document import report
 from sim.dynamics.report.plan import not_simulated
 from sim.dynamics.result.finished import Run
@@ -27,6 +27,7 @@ from sim.dynamics.result.trajectory import PER_STRETCH, Trajectory, trajectory
 from sim.scene import Problem, Scene, SceneError, apply_changes, read_scene
 from sim.scene.effects import kinds
 from sim.scene.reading.effects import all_effects
+from sim.scene.said import said
 from sim.scene.said import wire as said_by
 from sim.scene.track import named_ends
 
@@ -63,7 +64,7 @@ def answer(request: Mapping[str, Any]) -> Answer:
     if request.get("kind") in OTHERS:
         return _other(request)
     if request.get("kind") != "run":
-        problem = Problem(("kind",), "unknown-kind", "this request is not known", "kind: run")
+        problem = Problem(("kind",), "unknown-kind", said("this request is not known"), "kind: run")
         return refusal(identity, [problem])
     try:
         plain = plain_of(request)
@@ -107,7 +108,20 @@ def _other(request: Mapping[str, Any]) -> Answer:
     except UnsolvedError as error:
         problem = Problem((), "unsolved", error.message, error.hint)
         return refusal(request.get("id"), [problem])
+    except (ArithmeticError, ValueError) as error:
+        if not is_of_the_numbers(error):
+            raise
+        return refusal(request.get("id"), [_beyond(stepped="method" in request)])
     return {"id": request.get("id"), "ok": True, **header}, numbers
+
+
+def _beyond(*, stepped: bool) -> Problem:
+    """Numbers overflowed: the steps of a method are too long, or no numbers are enough."""
+    if stepped:
+        message = said("the numbers of this method grow beyond all bounds")
+        return Problem((), "unsolved", message, said("a shorter step"))
+    error = out_of_range()
+    return Problem((), "unsolved", error.message, error.hint)
 
 
 def refusal(identity: object, problems: list[Problem] | tuple[Problem, ...]) -> Answer:

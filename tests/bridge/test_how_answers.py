@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from sim.bridge.protocol import answer
+from sim.scene.said import from_wire
 from tests import registry
 from tests.web.scene.given.widget_site import in_node
 
@@ -114,7 +115,34 @@ def test_what_makes_no_sense_is_refused(more: dict[str, Any], said: str) -> None
 def test_numbers_beyond_all_bounds_are_a_sentence() -> None:
     header, _ = ask("hertz-cradle", method="euler", parts=103)
     assert not header["ok"]
-    assert header["problems"][0]["hint"] == "a shorter step"
+    assert from_wire(header["problems"][0]["hint"]) == "a shorter step"
+
+
+@pytest.mark.parametrize("method", [*FIXED, "rk45"])
+@pytest.mark.parametrize(
+    "effects", [[], [{"drag": {"linear": 5000}}], [{"drag": {"quadratic": 5}}]]
+)
+@pytest.mark.parametrize("kind", ["how", "cost"])
+def test_a_method_that_blows_up_is_answered_and_never_raised(
+    kind: str, effects: list[dict[str, Any]], method: str
+) -> None:
+    """A stiffness of 1e8 N/m in 500 steps of 20 ms: some methods end beyond all numbers."""
+    scene = {
+        "carts": {
+            "A": {"mass": 1, "position": 0.4, "velocity": 1},
+            "B": {"mass": 1, "position": 1.2, "velocity": -0.5},
+        },
+        "contact": {"law": "bumper", "restitution": 0.9, "stiffness": 1e8},
+        "effects": effects,
+        "until": 10,
+    }
+    request = {"id": 1, "kind": kind, "scene": scene, "method": method, "parts": 500, "rtol": 0.01}
+    header, _ = answer(request)
+    json.dumps(header, allow_nan=False)
+    if not header["ok"]:
+        [problem] = header["problems"]
+        assert problem["code"] == "unsolved"
+        assert from_wire(problem["message"]).startswith("the numbers of this method grow")
 
 
 def test_every_answer_has_good_words() -> None:

@@ -10,6 +10,7 @@ from typing import Any
 
 from sim.dynamics.motion.power_series.polynomial import Poly
 from sim.dynamics.result.outcome import UnsolvedError
+from sim.scene.said import said
 
 
 def scipy_method() -> tuple[Any, Any]:
@@ -19,9 +20,11 @@ def scipy_method() -> tuple[Any, Any]:
         from scipy.integrate import DOP853
     except ImportError as missing:
         raise UnsolvedError(
-            "a contact law without a formula needs the packages numpy and scipy, which this page "
-            "does not carry",
-            "write packages: [scipy] into the scene block",
+            said(
+                "a contact law without a formula needs the packages numpy and scipy, which this "
+                "page does not carry"
+            ),
+            said("write packages: [scipy] into the scene block"),
             0.0,
             (),
         ) from missing

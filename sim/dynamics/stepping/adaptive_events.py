@@ -168,8 +168,8 @@ def _scipy() -> tuple[Any, Any]:
         from scipy import integrate
     except ImportError:
         raise UnsolvedError(
-            "this method needs the Python package scipy",
-            "install scipy, or choose another method",
+            said("this method needs the Python package scipy"),
+            said("install scipy, or choose another method"),
             0.0,
             (),
         ) from None

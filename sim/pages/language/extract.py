@@ -58,8 +58,7 @@ SOURCES = (
     ("sim/cli/classroom", "*.py", "python", ("said", "template")),
     ("sim/lesson", "*.py", "python", ("said", "template", *ERRORS)),
     ("sim/measured", "*.py", "python", ("said", "template")),
-    ("sim/bridge", "measured_answer.py", "python", ("said",)),
-    ("sim/bridge", "map_answer.py", "python", ("said",)),
+    ("sim/bridge", "*.py", "python", ("said",)),
     *((folder, "*.py", "python", INNER_CALLS) for folder in INNER),
 )
 OPTIONS: dict[str, dict[str, Any]] = {
