@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from typing import Any
 
 import pytest
@@ -90,3 +91,58 @@ def test_steppers_share_what_rests_as_the_exact_run_does(method: str) -> None:
         true = trajectory(run(scene)).columns
         for name in (("E", "friction", "A"), ("E", "friction", "B"), ("F", "A-B")):
             assert found[name][-1] == pytest.approx(true[name][-1], abs=1e-6)
+
+
+RESTS = [{"friction": {"coefficient": 0.5, "static": 0.9, "carts": ["A"]}},
+         {"friction": {"coefficient": 0.5, "static": 0.6, "carts": ["B"]}}]  # fmt: skip
+AROUND: dict[str, list[dict[str, Any]]] = {
+    "nothing": [],
+    "drag": [{"drag": {"linear": 0.8, "carts": ["A"]}}],
+    "much drag": [{"drag": {"linear": 0.2, "quadratic": 0.7}}],
+    "friction": [{"friction": {"coefficient": 0.05, "carts": ["B", "C"]}}],
+    "friction that holds": RESTS,
+    "a slope and a push": [
+        {"incline": {"angle": 0.02}},
+        {"push": {"cart": "A", "force": 2, "until": 1.1}},
+        {"drag": {"linear": 0.5, "carts": ["B"]}},
+    ],
+}
+
+
+@pytest.mark.parametrize("law", ["bumper", "hertz"])
+@pytest.mark.parametrize("wall", ["none", "left"])
+@pytest.mark.parametrize("around", AROUND)
+def test_the_drawn_force_between_joined_carts_runs_through_what_lies_between_its_samples(
+    around: str, wall: str, law: str
+) -> None:
+    """C hits A and B, which stick together. The curve is a cubic through F and dF: it was a
+    staircase, since dF was told to be nought."""
+    plain = {
+        "carts": {
+            "A": {"mass": 0.6, "position": 0.1 if wall == "left" else 0.6, "velocity": -0.05},
+            "B": {"mass": 1.3, "position": 0.3001 if wall == "left" else 0.8, "velocity": -0.06},
+            "C": {"mass": 1, "position": 1.3, "velocity": -1},
+        },
+        "track": {"left": "wall" if wall == "left" else "open", "length": 3},
+        "contact": {"law": law, "restitution": 1, "stiffness": 200 if law == "bumper" else 2000,
+                    "pairs": {name: {"law": "velcro"} for name in ("A-B", "left-A")
+                              if wall == "left" or name == "A-B"}},
+        "effects": AROUND[around],
+        "until": 2,
+    }  # fmt: skip
+    done = run(read_scene(plain))
+    coarse, fine = trajectory(done, 16).columns, trajectory(done, 48).columns
+    peak = max(map(abs, coarse["F", "B-C"]))
+    assert peak > 5
+    for name in ("A-B", "left-A") if wall == "left" else ("A-B",):
+        rows = list(zip(coarse["t",], coarse["F", name], coarse["dF", name], strict=True))
+        begins = [t for t, _, _ in rows]
+        for t, force in zip(fine["t",], fine["F", name], strict=True):
+            k = bisect_left(begins, t) - 1
+            if k < 0 or k + 1 == len(rows) or t == begins[k + 1]:
+                continue
+            (t1, F1, dF1), (t2, F2, dF2) = rows[k : k + 2]
+            u, h = (t - t1) / (t2 - t1), t2 - t1
+            drawn = F1 * (1 + 2 * u) * (1 - u) ** 2 + F2 * u * u * (3 - 2 * u)
+            drawn += h * (dF1 * u * (1 - u) ** 2 - dF2 * u * u * (1 - u))
+            assert drawn == pytest.approx(force, abs=1e-6 * peak)

@@ -14,9 +14,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 
-from sim.dynamics.result import body_forces as outer_forces
+from sim.dynamics.result import body_forces
+from sim.dynamics.result.body_forces import Outside
 from sim.dynamics.result.finished import Run
-from sim.dynamics.result.record import Piece, Solved
+from sim.dynamics.result.record import Solved
+from sim.dynamics.result.stretch import Stretch, state
 
 PER_STRETCH = 16
 """Samples in one stretch of a contact (a quarter swing of a bumper): cubic error below 1e-8."""
@@ -54,24 +56,19 @@ def trajectory(
     `per_flight`: into how many parts a flight is divided in which a steady force acts. `at_work`
     is called after every stretch: of thousands the samples take as long as the run.
     """
-    scene, record = run.scene, run.record
-    names = [cart.name for cart in scene.carts]
+    record = run.record
     solved = sorted(record.solved, key=lambda part: (part.begin, part.gaps))
     gaps = sorted(
         {gap for part in solved for gap in part.gaps} | {joint.gap for joint in record.joints}
     )
-    titles: list[tuple[str, ...]] = [("t",)]
-    titles += [(kind, name) for name in names for kind in ("x", "v", "a")]
-    pairs = ["-".join(scene.names_at(gap)) for gap in gaps]
-    titles += [(kind, pair) for pair in pairs for kind in ("F", "dF")]
-    named = outer_forces.names(run)
-    titles += [("E", kind, name) for kind, name in named]
+    named = body_forces.names(run)
+    titles = _titles(run, gaps, named)
     dense = min(per_stretch, _density(len(solved), len(titles)))
     starts = [[piece.start[0] for piece in pieces] for pieces in record.pieces]
     live: list[Solved] = []
     numbers: array[float] = array("d")  # row after row
     upcoming, last = 0, None
-    marks = _marks(run)
+    marks, outside_at = _marks(run), _outside(run)
     parabola = max(1, min(per_flight, MOST_NUMBERS // (len(titles) * len(marks))))
     for begin, end in pairwise(marks):
         while upcoming < len(solved) and solved[upcoming].begin <= begin:
@@ -89,12 +86,32 @@ def trajectory(
         live = [part for part in live if part.end > begin or id(part.solver) in moving]
         stuck = {joint.gap for joint in record.joints if joint.begin <= begin < joint.end}
         steady = any(piece.motion is not None for piece in motion)
+        stretch = Stretch(run, motion, live, gaps, stuck, named, outside_at(middle))
         for t in _times(begin, end, live, dense, parabola if steady else 1):
-            row = _row(t, run, motion, live, gaps, stuck, named, middle)
+            row = stretch.row(t)
             if row != last:
                 numbers.extend(row)
                 last = row
     return Trajectory({title: numbers[k :: len(titles)] for k, title in enumerate(titles)})
+
+
+def _titles(run: Run, gaps: list[int], named: list[tuple[str, str]]) -> list[tuple[str, ...]]:
+    """Names of the columns."""
+    titles: list[tuple[str, ...]] = [("t",)]
+    titles += [(kind, cart.name) for cart in run.scene.carts for kind in ("x", "v", "a")]
+    pairs = ["-".join(run.scene.names_at(gap)) for gap in gaps]
+    titles += [(kind, pair) for pair in pairs for kind in ("F", "dF")]
+    return titles + [("E", kind, name) for kind, name in named]
+
+
+def _outside(run: Run) -> Callable[[float], Outside | None]:
+    """What acts on single carts just after t s: a push that begins there counts already."""
+    forces, carts = run.forces, run.scene.carts
+    if forces is None:
+        return lambda t: None
+    places = range(len(carts))
+    grips = [forces.friction_on(k) for k in places]
+    return lambda t: Outside(carts, [forces.on_cart(k, t) for k in places], grips)
 
 
 def _marks(run: Run) -> list[float]:
@@ -144,74 +161,12 @@ def _times(begin: float, end: float, live: list[Solved], dense: int, parabola: i
     return [*(begin + span * k / count for k in range(count)), end]
 
 
-def _row(
-    t: float,
-    run: Run,
-    motion: list[Piece],
-    live: list[Solved],
-    gaps: list[int],
-    stuck: set[int],
-    named: list[tuple[str, str]],
-    middle: float,
-) -> list[float]:
-    """All columns at t, with the formulas that hold in the interval around `middle`."""
-    states = [_state(piece, t) for piece in motion]
-    row = [t]
-    for state in states:
-        row += state
-    forces = dict.fromkeys(gaps, (0.0, 0.0))
-    for part in live:
-        tau = (t - part.begin) - part.solver.begun[1]
-        for gap in part.gaps:
-            forces[gap] = part.solver.force(gap, tau)
-    outer: dict[tuple[str, str], float] = {}
-    if named:
-        between = {gap: force for gap, (force, _) in forces.items() if gap not in stuck}
-        outer = outer_forces.at(run, states, motion, between, stuck, middle)
-    if stuck:
-        by_neighbours = [
-            cart.mass * a - sum(force for (_, name), force in outer.items() if name == cart.name)
-            for cart, (_, _, a) in zip(run.scene.carts, states, strict=True)
-        ]
-        _joint_forces(by_neighbours, forces, stuck)
-    for gap in gaps:
-        row += forces[gap]
-    return row + [outer.get(name, 0.0) for name in named]
-
-
-def _state(piece: Piece, t: float) -> tuple[float, float, float]:
-    """x [m], v [m/s], a [m/s²] of a cart whose piece holds at t."""
-    tau = (t - piece.start[0]) - piece.start[1]
-    if piece.motion is None:
-        return piece.x + piece.v * tau, piece.v, 0.0
-    shift, v, a = piece.motion.state(piece.side, tau)
-    return piece.x + shift, v, a
-
-
-def _joint_forces(
-    by_neighbours: list[float], forces: dict[int, tuple[float, float]], stuck: set[int]
-) -> None:
-    """Forces between carts that stick together, from what m a leaves over for its neighbours.
-
-    by_neighbours = F_left − F_right of each cart. Summed from the left end of a group; a group that
-    holds on to the left wall from its right end.
-    """
-    count = len(by_neighbours)
-    to_wall = [k for k in range(count) if set(range(k + 1)) <= stuck]
-    for gap in reversed(to_wall):
-        beyond = forces.get(gap + 1, (0.0, 0.0))[0]
-        forces[gap] = (beyond + by_neighbours[gap], 0.0)
-    for gap in sorted(stuck - set(to_wall)):
-        before = forces.get(gap - 1, (0.0, 0.0))[0]
-        forces[gap] = (before - by_neighbours[gap - 1], 0.0)
-
-
 def sample(run: Run, t: float) -> tuple[list[float], list[float]]:
     """x [m] and v [m/s] of every cart at one time, exactly (after a jump at t, if there is one)."""
     x, v = [], []
     for pieces in run.record.pieces:
         k = bisect_right(pieces, t, key=lambda piece: piece.start[0]) - 1
-        place, speed, _ = _state(pieces[max(k, 0)], t)
+        place, speed, _ = state(pieces[max(k, 0)], t)
         x.append(place)
         v.append(speed)
     return x, v
