@@ -40,7 +40,8 @@ def _of_a_pair(touch: Touch, phase: ContactPhase, now: Instant, cause: str) -> N
     if rate <= 0:
         touch.peaks.append((phase.begun, first))
         return
-    if touch.fresh and phase.unloaded and touch.elastic and touch.law == BUMPER:
+    alone = cause == "apart" and touch.fresh and phase.unloaded
+    if alone and touch.elastic and touch.law == BUMPER:
         when: Ball | None = tau / 2
     else:
         when = first_root(

@@ -8,10 +8,11 @@ from math import inf
 from time import monotonic
 from typing import NamedTuple
 
-from sim.certify.numbers.balls import ZERO, NoBoundError, is_zero
+from sim.certify import peaks
+from sim.certify.numbers.balls import ZERO, NoBoundError, NotProvableError, is_zero
 from sim.certify.releases import Releases
 from sim.certify.row import Next
-from sim.scene.said import said
+from sim.scene.said import reason_of, said
 
 MOST_EVENTS = 10_000
 """Consequences of one run. A certificate of more takes minutes and is asked for by nobody."""
@@ -76,8 +77,24 @@ class BallRun(Releases):
                 raise NoBoundError(said("the proof takes too long here"))
             self.present = first.when
             self._happen(first)
+        self._peaks_so_far()
         self.settle(self.bodies, self.until)
         self.tell(self.until, "end", tuple(self.names))
+
+    def _peaks_so_far(self) -> None:
+        """Of contacts in progress at the end: a force that still grows then has had no peak."""
+        for phase, _ in self.phases.values():
+            for gap in phase.gaps:
+                if not gap.touching:
+                    continue
+                try:
+                    self._see(phase, gap, self.until, "")
+                    peak = peaks.greatest(self.touches[gap.index])
+                except NotProvableError as error:  # the end is proved all the same
+                    self.doubt = self.doubt or reason_of(error)
+                    continue
+                if peak is not None and peak is not self.until:
+                    self.tell(peak, "peak", gap.names)
 
     def _now(self, one: Next) -> Next:
         """A switch with the bodies that its carts are in now."""

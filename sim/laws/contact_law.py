@@ -95,7 +95,7 @@ class ContactLaw(Protocol):
         """J. Energy that the contact would give back."""
 
     def stored_under(self, d: float, force: float) -> float:
-        """J. The same from the overlap and the force [N] there (0: none, or it pulls)."""
+        """J. The same from the overlap and the force [N] there (0: they have parted)."""
 
     def dissipated(self, mu: float, d: float, v: float) -> float:
         """W. What a curved law's damper takes just now."""

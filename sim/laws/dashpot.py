@@ -178,8 +178,8 @@ class Dashpot:
         return Branch(self.stiffness, self.damper(mu), 0.0)
 
     def stored_under(self, d: float, force: float) -> float:
-        """k d²/2."""
-        return 0.5 * self.stiffness * d**2
+        """k d²/2, while a damper pulls too."""
+        return 0.5 * self.stiffness * d**2 if force else 0.0
 
     def dissipated(self, mu: float, d: float, v: float) -> float:
         """c v²: asked of curved laws only."""

@@ -32,7 +32,8 @@ def test_friction_that_holds_one_of_a_pair_changes_the_damping_of_the_other() ->
         "effects": [{"friction": {"coefficient": 0.0125, "static": 0.0232}}],
     })  # fmt: skip
     found = document(certify(scene))
-    assert [event["kind"] for event in found["events"]] == ["contact", "start", "stop", "end"]
+    kinds = [event["kind"] for event in found["events"]]
+    assert kinds == ["contact", "peak", "start", "stop", "end"]
     assert misses(scene, found) == []
 
 

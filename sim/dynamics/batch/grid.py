@@ -145,6 +145,8 @@ def _greatest(done: Run, pair: str, *, linked: bool) -> float:
         for event in done.record.events
         if event.kind in ("peak", "release") and "-".join(event.bodies) == pair
     ]
+    grown = done.record.growing.items()
+    told += [force for gap, force in grown if "-".join(done.scene.names_at(gap)) == pair]
     if linked:
         told += map(abs, trajectory(done).columns.get(("F", pair), ()))
     return max(told, default=0.0)

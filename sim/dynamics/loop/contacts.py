@@ -10,7 +10,7 @@ from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
 from sim.dynamics.state.body import Gap
-from sim.dynamics.state.clock import ZERO, Time, later
+from sim.dynamics.state.clock import ZERO, Time, elapsed, later
 from sim.dynamics.state.touching import Peak, Touching
 
 
@@ -131,12 +131,18 @@ def tell_separation(gap: Gap, now: Time, last_force: float, record: Record) -> N
     gap.touching = None
 
 
-def tell_peak(gap: Gap, record: Record) -> None:
-    """The event of greatest force, once a contact is over or the run is."""
+def tell_peak(gap: Gap, record: Record, end: Time | None = None, instant: float = 0.0) -> None:
+    """The event of greatest force, once a contact is over; or the run is, at `end`: a force that
+    still grew within its last `instant` [s] has had none."""
     touching = gap.touching
     assert touching is not None
     if not record.keep_events:
         record.counts["peak"] += 1
-    elif touching.peak is not None and touching.peak.force > 0.0:
-        peak = touching.peak
-        record.event("peak", gap, peak.time, touching.before, peak.after, peak.impulse, peak.force)
+        return
+    peak = touching.peak
+    if peak is None or not peak.force > 0.0:
+        return
+    if end is not None and elapsed(peak.time, end) <= instant:
+        record.growing[gap.index] = peak.force
+        return
+    record.event("peak", gap, peak.time, touching.before, peak.after, peak.impulse, peak.force)

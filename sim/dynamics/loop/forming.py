@@ -62,8 +62,13 @@ class Forming:
             self.strikes.see(gap)
         return settled, [*gaps, *touched]
 
-    def form_again(self, bodies: list[Body], gaps: list[Gap], now: Time) -> None:
-        """What still belongs together gets new solvers; everything around is predicted anew."""
+    def form_again(
+        self, bodies: list[Body], gaps: list[Gap], now: Time, *, begins: bool = False
+    ) -> None:
+        """What still belongs together gets new solvers; everything around is predicted anew.
+
+        `begins`: what acts from the start; whom it moves or holds has not started or stopped.
+        """
         bodies = sorted(bodies, key=lambda body: body.carts)
         if any(body.v != body.v for body in bodies):
             raise OverflowError("a velocity is not a number")  # the rest of the run would be none
@@ -87,7 +92,7 @@ class Forming:
         if self.forces is not None:
             still.begin(bodies, now, self.forces)
         for body, before in zip(bodies, held, strict=True):
-            if body.held != before and now != ZERO:
+            if body.held != before and not begins:
                 self.record.moment("stop" if body.held else "start", body, now)
                 self.happened += 1
         self.predictions.members(bodies, gaps, now)

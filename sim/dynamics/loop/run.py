@@ -133,7 +133,7 @@ def _start_with_effects(sim: Simulation, forces: Forces) -> None:
     for gap in gaps:
         if recontact.touches_at_start(gap) and not gap.joined:
             contacts.touch(gap, ZERO, sim.record, sim.ledger)
-    sim.form_again(list(dict.fromkeys(sim.chain.bodies)), gaps, ZERO)
+    sim.form_again(list(dict.fromkeys(sim.chain.bodies)), gaps, ZERO, begins=True)
     free = sum(body.motion is None for body in sim.chain.bodies)
     if free:
         sim.solvers["free-flight"] += free
@@ -199,7 +199,7 @@ def _result(sim: Simulation, end: Time, *, stopped: Stopped | None) -> Run:
             body.x += body.v * elapsed(body.time, end)
     for gap in sim.chain.gaps:  # also between two that stick to walls, which no solver moves
         if gap is not None and gap.touching is not None and gap.law is not None:
-            contacts.tell_peak(gap, record)
+            contacts.tell_peak(gap, record, end, sim.instant)
             ledger.stored_final += gap.law.stored(-gap.room, -gap.rate, gap.memory)
     if sim.forces is not None:
         _store(sim, first=False)

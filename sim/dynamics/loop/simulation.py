@@ -17,7 +17,7 @@ from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.state import flips
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.chain import place, velocity
-from sim.dynamics.state.clock import Time
+from sim.dynamics.state.clock import ZERO, Time
 
 MISSED = 5e-9
 """Of the longest cart. Touches are found to rounding; with so much room left the search gave up."""
@@ -229,7 +229,7 @@ class Simulation(Forming):
             self.happened += changed
             forces.used[one.kind] += changed
             bodies = [b for b in dict.fromkeys([*bodies, gap.left, gap.right]) if b.carts]
-            self.form_again(bodies, [*gaps, gap], now)
+            self.form_again(bodies, [*gaps, gap], now, begins=now == ZERO)
             return
         forces.move_to(now[0])
         bodies, gaps = self.settle(list(dict.fromkeys(self.chain.bodies)), now)

@@ -195,9 +195,9 @@ def _room(scene: Scene, x: list[float], v: list[float], gap: int) -> tuple[float
 def _squeezed(contact: Contact, overlap: float, force: float, least: float = 0.0) -> float:
     """J. What the bumpers of a pair give back; infinite force: not known, as at the start.
 
-    Of parted ones that overlap there is none; `least` [N] is what rounding may leave of it.
+    Parted ones that overlap have no force; `least` [N] is what rounding may leave of it.
     """
     law = contact_law(contact)
     if law is None or overlap <= TOUCH:
         return 0.0
-    return law.stored_under(overlap, force if force > least else 0.0)
+    return law.stored_under(overlap, force if abs(force) > least else 0.0)

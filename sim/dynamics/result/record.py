@@ -70,6 +70,8 @@ class Record:
     """Springs of exploders, whether they have fallen off or not."""
     deepest: dict[int, tuple[float, float]] = field(default_factory=dict)
     """Per gap: greatest overlap [m] and the approach speed [m/s] of that contact."""
+    growing: dict[int, float] = field(default_factory=dict)
+    """N. Per gap: the force of a contact that still grew when the run ended."""
 
     def piece(self, body: Body) -> None:
         """The body's motion changed at its time."""

@@ -125,7 +125,7 @@ class Story:
         touch = self.touching.pop(pair.gap)
         if touch.deepest > self.record.deepest.get(pair.gap, (0.0, 0.0))[0]:
             self.record.deepest[pair.gap] = (touch.deepest, touch.approach)
-        if touch.peak is not None and touch.peak[1] > 0.0:
+        if touch.peak is not None and touch.peak[1] > 0.0 and (over or touch.peak[0] < t):
             when, force, impulse, after = touch.peak
             self._tell(when, "peak", pair, touch.before, after, impulse, force)
         if over:

@@ -157,7 +157,7 @@ class Bumper:
 
     def stored_under(self, d: float, force: float) -> float:
         """e² N²/(2 k)."""
-        push = min(force, self.stiffness * d)
+        push = max(0.0, min(force, self.stiffness * d))
         return (self.e * push) ** 2 / (2.0 * self.stiffness)
 
     def dissipated(self, mu: float, d: float, v: float) -> float:

@@ -115,8 +115,8 @@ class Hertz:
         return 0.0
 
     def stored_under(self, d: float, force: float) -> float:
-        """(2/5) K d^(5/2)."""
-        return 0.4 * self.stiffness * float(d**2.5)
+        """(2/5) K d^(5/2), while its damper pulls too."""
+        return 0.4 * self.stiffness * float(d**2.5) if force else 0.0
 
     def kept(self, branch: Branch, start: float, end: float) -> float:
         """Its damper takes, nothing else."""

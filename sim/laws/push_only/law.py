@@ -61,7 +61,7 @@ class PushOnly(Dashpot):
         return 0.0 if self.e == 1.0 else d
 
     def stored_under(self, d: float, force: float) -> float:
-        """k d²/2 while it pushes: parted carts may still overlap."""
+        """k d²/2 while it pushes."""
         return 0.5 * self.stiffness * d**2 if force > 0.0 else 0.0
 
     def last_force(self, mu: float, v: float) -> float:
