@@ -12,9 +12,11 @@ def read(report: dict[str, Any], what: str) -> float:
     kind, _, name = what.partition(".")
     if kind in ("x", "v"):
         values: dict[str, float] = report["final"][kind]
-        if "-" in name:
-            last, first = name.split("-")
-            return values[last] - values[first]
+        if name in values:
+            return values[name]
+        for k, sign in enumerate(name):  # names may hold hyphens
+            if sign == "-" and {name[:k], name[k + 1 :]} <= values.keys():
+                return values[name[:k]] - values[name[k + 1 :]]
         return math.fsum(values[part] for part in name.split("+"))
     if kind in ("count", "last"):
         if "event_counts" in report:
