@@ -18,6 +18,7 @@ from sim.bridge import model_pieces as text_of
 from sim.bridge.protocol import plain_of
 from sim.dynamics.result.outcome import refuse_written
 from sim.effects.plain_model import Piece, piece_of
+from sim.laws.contact_law import reduced_mass
 from sim.laws.lookup import contact_law
 from sim.scene import Scene, read_scene
 from sim.scene.effects import kinds
@@ -122,8 +123,8 @@ def _lists(scene: Scene, pieces: Mapping[str, Piece]) -> str:
 
 def _reduced(scene: Scene, k: int) -> float:
     """kg, of the two bodies of gap k; a wall has infinite mass."""
-    near = [scene.carts[i].mass for i in (k - 1, k) if 0 <= i < len(scene.carts)]
-    return 1.0 / math.fsum(1.0 / mass for mass in near)
+    masses = [math.inf, *(cart.mass for cart in scene.carts), math.inf]
+    return reduced_mass(*masses[k : k + 2])
 
 
 def _step(scene: Scene) -> float:

@@ -8,6 +8,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar, Protocol
 
@@ -19,6 +20,11 @@ if TYPE_CHECKING:
 
 Memory = float
 """m. The greatest overlap that a bumper has seen since it was last clear; 0 for other laws."""
+
+
+def reduced_mass(a: float, b: float) -> float:
+    """kg; a wall, and what sticks to it, is infinite."""
+    return min(a, b) if math.inf in (a, b) else a * b / (a + b)
 
 
 @dataclass(frozen=True, slots=True)

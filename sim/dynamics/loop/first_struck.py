@@ -9,13 +9,10 @@ from __future__ import annotations
 from sim.dynamics.state.body import Gap
 from sim.dynamics.state.chain import Chain, moved, velocity
 from sim.dynamics.state.clock import Time, elapsed
-from sim.laws.rounding import LAST_BIT
+from sim.laws.rounding import AS_FAST, LAST_BIT
 
 AT_ONCE = LAST_BIT
 """Of the time. Touches that are foreseen no further apart are due at once."""
-
-AS_FAST = 1e-12
-"""Relative. Closing speeds that differ by rounding are equal."""
 
 
 def is_alone(chain: Chain, gap: Gap, now: Time) -> bool:

@@ -16,6 +16,7 @@ from sim.dynamics.state.chain import Chain, component
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.flips import UNDECIDED
 from sim.dynamics.state.touching import Touching
+from sim.laws.rounding import LAST_BITS
 
 STILL = 1e-30
 """Of the fastest approach so far. Impacts that follow each other at one instant, ever slower by a
@@ -144,15 +145,11 @@ def graze(chain: Chain, gap: Gap, ledger: Ledger) -> None:
             other.rate = other.right.v - other.left.v
 
 
-LAST_BITS = 1e-15
-"""Of the velocities of two bodies, per impact at one instant: what rounding leaves between them."""
-
-
 def _is_hit_by_rounding(gap: Gap) -> bool:
     """Do two that springs hold, and that touch, move alike after impacts in turn at one instant?"""
     if gap.room != 0.0 or gap.joined or not gap.links or gap.flips < UNDECIDED:
         return False
-    fastest = max(abs(gap.left.v), abs(gap.right.v))
+    fastest = max(abs(gap.left.v), abs(gap.right.v))  # rounding leaves so much per impact
     return abs(gap.right.v - gap.left.v) <= LAST_BITS * gap.flips * fastest
 
 

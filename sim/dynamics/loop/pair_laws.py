@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from sim.dynamics.motion.impact import outgoing
+from sim.dynamics.motion.impact import rebound
 from sim.dynamics.state.body import Accounts, Body
 
 
@@ -37,11 +37,7 @@ def centre_velocity(bodies: Sequence[tuple[float, float]]) -> float:
 
 def velocities_after(left: Body, right: Body, e: float) -> tuple[float, float]:
     """m/s, after an impact with restitution e."""
-    if left.mass == math.inf:
-        return 0.0, -e * right.v
-    if right.mass == math.inf:
-        return -e * left.v, 0.0
-    return outgoing(left.mass, right.mass, left.v, right.v, e)
+    return rebound(left.mass, right.mass, left.v, right.v, e)
 
 
 def shares(left: Body, right: Body, mu: float) -> tuple[float, float]:

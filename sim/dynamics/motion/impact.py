@@ -36,6 +36,15 @@ def outgoing(m1: float, m2: float, v1: float, v2: float, e: float) -> tuple[floa
     return centre + (rest - e * (u - change + lost)), centre + (rest + e * (change + more))
 
 
+def rebound(m1: float, m2: float, v1: float, v2: float, e: float) -> tuple[float, float]:
+    """The same of two of which one may be a wall, or stick to one: infinite mass, at rest."""
+    if m1 == math.inf:
+        return 0.0, -e * v2
+    if m2 == math.inf:
+        return -e * v1, 0.0
+    return outgoing(m1, m2, v1, v2, e)
+
+
 def impact(
     m1: float, m2: float, v1: float, v2: float, e: float, k: float
 ) -> tuple[float, float, float]:

@@ -24,12 +24,10 @@ from sim.dynamics.motion.friction_shares import pushes
 from sim.dynamics.motion.power_series.step import Step
 from sim.dynamics.state.body import Body, Gap
 from sim.laws.branch import Branch
+from sim.laws.rounding import LAST_BITS
 
 QUIET = 3e-13
 """Of the speed o W that the overlaps o under the load would swing with, W the fastest rate."""
-
-LAST_BITS = 1e-15
-"""Of a room that springs hold open: it is known no better."""
 
 NEARLY = 2.0
 """Of what counts as quiet. More than that moves, whatever the places of rest."""

@@ -12,17 +12,16 @@ import math
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
-from sim.dynamics.result.finished import Run
 from sim.dynamics.result.record import Piece
 from sim.effects.forces import FRICTION, BodyForce, CoulombFriction
-from sim.scene.model import Cart
+from sim.scene.model import Cart, Scene
 
 
-def names(run: Run) -> list[tuple[str, str]]:
+def names(scene: Scene) -> list[tuple[str, str]]:
     """(kind, cart) of every effect that acts on single carts, in the order listed."""
     found = {
         (effect.kind, name): None
-        for effect in run.scene.effects
+        for effect in scene.effects
         if effect.between is None
         for name in effect.carts
     }

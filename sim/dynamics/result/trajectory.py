@@ -61,7 +61,7 @@ def trajectory(
     gaps = sorted(
         {gap for part in solved for gap in part.gaps} | {joint.gap for joint in record.joints}
     )
-    named = body_forces.names(run)
+    named = body_forces.names(run.scene)
     titles = _titles(run, gaps, named)
     dense = min(per_stretch, _density(len(solved), len(titles)))
     starts = [[piece.start[0] for piece in pieces] for pieces in record.pieces]

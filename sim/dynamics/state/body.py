@@ -9,7 +9,6 @@ touches only its neighbourhood, so its cost does not grow with the number of bod
 
 from __future__ import annotations
 
-import math
 from collections.abc import Hashable
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -20,7 +19,7 @@ from sim.dynamics.state.loads import NO_LOAD, Load
 from sim.dynamics.state.touching import Loose, Touching
 from sim.effects.forces import BodyForce, PairForce
 from sim.laws.branch import Cause
-from sim.laws.contact_law import ContactLaw, Figures
+from sim.laws.contact_law import ContactLaw, Figures, reduced_mass
 from sim.laws.damped_oscillation import Rate
 from sim.scene.model import Contact
 
@@ -227,8 +226,7 @@ class Gap:
     @property
     def mu(self) -> float:
         """Reduced mass in kg."""
-        a, b = self.left.mass, self.right.mass
-        return min(a, b) if math.inf in (a, b) else a * b / (a + b)
+        return reduced_mass(self.left.mass, self.right.mass)
 
     def figures(self, mu: float) -> Figures:
         """Those of the gap's law, computed once per reduced mass."""

@@ -14,18 +14,16 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.dynamics.motion.hit_in_turn import at_once_for_ever
-from sim.dynamics.motion.impact import outgoing
+from sim.dynamics.motion.impact import rebound
 from sim.dynamics.motion.locked import impulses
 from sim.dynamics.stepping import spent
 from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.pairs import Pair, Row
 from sim.effects.forces import TOUCHING, EnergyRelease, LooseForce
+from sim.laws.rounding import AS_FAST
 
 SWEEPS = 20
 """Impulses in each gap at one instant, at most."""
-
-AS_FAST = 1e-12
-"""Relative. Closing speeds that differ by rounding are equal."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,7 +126,7 @@ class Impacts:
         found: list[float] = []
         if len(block) == 1:
             (m1, _, v1), (m2, _, v2) = sides
-            out = list(outgoing_of(m1, m2, v1, v2, e[0]))
+            out = list(rebound(m1, m2, v1, v2, e[0]))
         else:
             closing = [a[2] - b[2] for a, b in itertools.pairwise(sides)]
             inverse = [1.0 / side[0] for side in sides]
@@ -206,15 +204,6 @@ class Impacts:
         if self.field.fixed(body):
             return math.inf, body, 0.0
         return sum(self.field.mass[k] for k in body), body, v[cart]
-
-
-def outgoing_of(m1: float, m2: float, v1: float, v2: float, e: float) -> tuple[float, float]:
-    """m/s after an impact, walls included."""
-    if m1 == math.inf:
-        return v1, v1 + e * (v1 - v2)
-    if m2 == math.inf:
-        return v2 + e * (v2 - v1), v2
-    return outgoing(m1, m2, v1, v2, e)
 
 
 def _remembered(d: Any, memory: Any) -> Any:

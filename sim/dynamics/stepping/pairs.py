@@ -9,6 +9,7 @@ from typing import Any
 
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.effects.forces import LooseForce, PairForce
+from sim.laws.contact_law import reduced_mass
 from sim.laws.lookup import contact_law
 from sim.laws.stepping import SteppedContact
 from sim.scene.model import Contact, Scene
@@ -72,11 +73,6 @@ def pair_of(scene: Scene, gap: int, effects: Sequence[Any]) -> Pair | None:
         law.stepping(mu) if law is not None else None,
         tuple(link for link in links if link is not None),
     )
-
-
-def reduced_mass(a: float, b: float) -> float:
-    """kg; a wall, and what sticks to it, is infinite."""
-    return min(a, b) if math.inf in (a, b) else a * b / (a + b)
 
 
 def link_force(link: PairForce, d: Any, rate: Any, *, lanes: bool) -> Any:

@@ -14,6 +14,7 @@ import math
 from array import array
 from dataclasses import dataclass
 
+from sim.dynamics.result.body_forces import names
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
@@ -209,8 +210,7 @@ class Recorder:
 def _outside(scene: Scene) -> list[tuple[str, int]]:
     """Kind and cart of every effect that acts on single carts."""
     place = {cart.name: k for k, cart in enumerate(scene.carts)}
-    acting = (effect for effect in scene.effects if effect.between is None)
-    return list({(one.kind, place[name]): None for one in acting for name in one.carts})
+    return [(kind, place[name]) for kind, name in names(scene)]
 
 
 def _empty(

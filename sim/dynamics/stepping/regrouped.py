@@ -11,7 +11,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from sim.dynamics.stepping.pairs import Pair, reduced_mass
+from sim.dynamics.stepping.pairs import Pair
+from sim.laws.contact_law import reduced_mass
 from sim.laws.lookup import contact_law
 
 

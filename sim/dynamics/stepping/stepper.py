@@ -16,14 +16,11 @@ from sim.dynamics.stepping.located import MOST_CHANGES, Key, Located
 from sim.dynamics.stepping.method import StepMethod
 from sim.dynamics.stepping.pairs import Detail, Row
 from sim.dynamics.stepping.rk4 import RK4
+from sim.laws.rounding import LAST_BITS
 from sim.scene.model import Scene
 
 Seen = Callable[[float, float, list[tuple[float, Detail]]], None]
 """t [s] at the end, h [s], and the forces with their weights."""
-
-
-LAST_BITS = 1e-15
-"""Relative. How far rounding takes the end of a step from the time it should end at."""
 
 
 class Stepper:

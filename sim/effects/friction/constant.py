@@ -7,6 +7,6 @@ from sim.scene.effects import Effect
 
 
 def constant(effect: Effect) -> Constant:
-    """Kinetic and static coefficient; the static one is never the smaller."""
+    """Kinetic and static coefficient; static is never less: that is refused."""
     kinetic = effect.numbers["coefficient"]
-    return Constant(friction=(kinetic, max(kinetic, effect.numbers.get("static", kinetic))))
+    return Constant(friction=(kinetic, effect.numbers.get("static", kinetic)))

@@ -30,7 +30,7 @@ class Friction(Acting):
 
     def __init__(self, effect: Effect, scene: Scene) -> None:
         kinetic = effect.numbers["coefficient"]
-        static = max(kinetic, effect.numbers.get("static", kinetic))
+        static = effect.numbers.get("static", kinetic)
         self._on: dict[int, CoulombFriction] = {}
         for k in carts_of(effect, scene):
             support = support_of(k, scene)

@@ -12,7 +12,7 @@ from sim.scene.model import Scene
 def _rows(effect: Effect, scene: Scene) -> list[Row]:
     n = effect.numbers
     low = n["coefficient"]
-    high = max(low, n.get("static", low))
+    high = n.get("static", low)
     presses = [(i, support_of(i, scene)) for i in carts_of(effect, scene)]
     return [(i, low * press, high * press) for i, press in presses]
 
