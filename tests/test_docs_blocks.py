@@ -14,6 +14,7 @@ import pytest
 import yaml
 
 from sim.cli import COMMANDS, main
+from sim.cli.reference import reference
 from sim.pages.runtime.node import node_program
 from tests.shell_lines import called, options_exist
 
@@ -102,15 +103,9 @@ def test_the_help_of_every_command_has_examples_that_work(name: str) -> None:
         called(example.partition(" > ")[0])
 
 
-@pytest.mark.parametrize("name", sorted(COMMANDS))
-def test_the_reference_names_every_option_of_a_command(name: str) -> None:
-    text = (ROOT / "docs" / "reference" / "commands.md").read_text(encoding="utf-8")
-    section = text.partition(f"## {name} {{ #{name} }}\n")[2].partition("\n## ")[0]
-    command = main.get_command(click.Context(main), name)
-    assert section and command is not None
-    for option in (p for p in command.params if isinstance(p, click.Option)):
-        shown = f"`{max(option.opts, key=len)}"
-        assert shown in section, f"{shown}: python -m sim.cli.reference writes the page"
+def test_the_reference_of_the_commands_is_what_they_say_of_themselves() -> None:
+    page = (ROOT / "docs" / "reference" / "commands.md").read_text(encoding="utf-8")
+    assert page == reference(), "python -m sim.cli.reference writes the page"
 
 
 class _AnyTag(yaml.SafeLoader):
