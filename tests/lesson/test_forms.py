@@ -141,7 +141,10 @@ def test_our_items_keep_the_rules_of_good_items() -> None:
     assert {letter: letters.count(letter) for letter in "abcd"} == {"a": 5, "b": 5, "c": 4, "d": 4}
 
 
-ONCE = {"negative-means-slowing"}  # a matter of signs: one item with a table of velocities
+ONCE = {
+    "negative-means-slowing",  # a matter of signs: one item with a table of velocities
+    "own-mass-own-force",  # one item gives the forces in numbers, as the lesson's hidden forces
+}
 LAWS = ("newtons-first-law", "newtons-second-law", "newtons-third-law")
 
 

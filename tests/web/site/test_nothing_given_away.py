@@ -83,7 +83,7 @@ def test_the_third_law_lesson_gives_nothing_away(site: Path, open_page: OpenPage
 @pytest.mark.one_browser
 def test_text_below_a_prediction_waits_for_its_run(site: Path, open_page: OpenPage) -> None:
     page = open_page(site / "worksheets" / "momentum-and-restitution.html", folder=site)
-    text = page.get_by_text("what stays the same only with lively bumpers")
+    text = page.get_by_text("what stays the same only with e = 1")
     line = page.locator("carts-after").get_by_text("This part opens when you have watched")
     expect(page.locator("carts-after")).to_have_count(1)
     expect(line).to_be_visible()
@@ -100,4 +100,4 @@ def test_text_below_a_prediction_waits_for_its_run(site: Path, open_page: OpenPa
     expect(line).to_be_hidden()
     index = (site / "search" / "search_index.js").read_text(encoding="utf-8")
     assert "They stay together" in index
-    assert "only with lively bumpers" not in " ".join(index.split())
+    assert "the same only with e = 1" not in " ".join(index.split())
