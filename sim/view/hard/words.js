@@ -65,7 +65,7 @@ function parts(what) {
 function amount(what, value, figures) {
   const { kind } = parts(what);
   if (kind === "count") return String(Math.round(value));
-  return short(value, figures) + (UNITS[kind] ?? " J");
+  return (short(value, figures) + (UNITS[kind] ?? " J")).replaceAll(" ", "\u00a0"); // of one piece
 }
 
 /**

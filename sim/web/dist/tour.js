@@ -169,7 +169,7 @@
   function settle(scene, card) {
     const foot = scene.querySelector(".carts-world > p.carts-acting");
     card.style.setProperty("--foot", `${foot?.getBoundingClientRect().height ?? 0}px`);
-    const under = ["", "end", "start", "low"].map((at) => {
+    const under = ["", "end", "start", "low", "below"].map((at) => {
       card.dataset.at = at;
       return { at, count: covered(scene, card) };
     });

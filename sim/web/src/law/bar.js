@@ -7,15 +7,15 @@ import { passOn } from "../shared/working.js";
 
 /** @param {Record<"run" | "judge" | "stop" | "save" | "again", () => void>} acts */
 export function lawBar(acts) {
-  const button = (/** @type {string} */ text, /** @type {() => void} */ act) => {
-    const made = /** @type {HTMLButtonElement} */ (html("button", "carts-button", text));
+  const button = (/** @type {string} */ text, /** @type {() => void} */ act, name = "") => {
+    const made = /** @type {HTMLButtonElement} */ (html("button", `carts-button ${name}`, text));
     made.type = "button";
     made.addEventListener("click", act);
     return made;
   };
   const root = html("div", "carts-law-bar");
-  const run = button(tr("Run"), acts.run);
-  const judge = button(tr("Judge"), acts.judge);
+  const run = button(tr("Run"), acts.run, "carts-law-act");
+  const judge = button(tr("Judge"), acts.judge, "carts-law-act");
   const end = button(tr("Stop"), acts.stop);
   end.disabled = true;
   const again = askingButton(

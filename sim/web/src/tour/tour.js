@@ -110,11 +110,11 @@ function point(scene, card, text, hint) {
   else resting = setTimeout(settle, REST, scene, card);
 }
 
-/** In the sky, in its middle or a corner; at the foot, on the scale, where it would cover less of what moves, above the line of what is in this model. @param {Scene} scene @param {HTMLElement} card */
+/** In the sky, in its middle or a corner; at the foot, on the scale, where it would cover less of what moves, above the line of what is in this model; below all, where it would cover something everywhere. @param {Scene} scene @param {HTMLElement} card */
 function settle(scene, card) {
   const foot = scene.querySelector(".carts-world > p.carts-acting");
   card.style.setProperty("--foot", `${foot?.getBoundingClientRect().height ?? 0}px`);
-  const under = ["", "end", "start", "low"].map((at) => {
+  const under = ["", "end", "start", "low", "below"].map((at) => {
     card.dataset.at = at; // no class: a change of class asks for a look at the hints
     return { at, count: covered(scene, card) };
   });
