@@ -132,8 +132,8 @@ def test_a_cell_tells_the_number_that_is_farthest_off() -> None:
           steppedCell(data, { verdict: "blows-up", got: [null, 0.5, 3] })]);""",
         wanted,
     )
-    assert exact == "v of A: 1 m/s, no error"
-    assert stepped == ["wrong", "x of B − x of A: 0.5 m, off by 0.25 m"]
+    assert exact == "v of A: 1\u00a0m/s, no error"  # no number is torn from its unit
+    assert stepped == ["wrong", "x of B − x of A: 0.5\u00a0m, off by 0.25\u00a0m"]
     assert blown == ["blows up", ""]
 
 

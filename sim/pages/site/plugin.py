@@ -46,7 +46,7 @@ from sim.pages.text.lesson_places import JOINING, check_folder, is_hidden
 from sim.pages.text.page_meta import tell_theme
 from sim.pages.text.theme_words import speak
 from sim.pages.translate.languages import Languages
-from sim.pages.translate.page_turns import turn_in_one_language
+from sim.pages.translate.page_turns import own_lessons_first, turn_in_one_language
 
 log = logging.getLogger("mkdocs.plugins.carts")
 
@@ -198,6 +198,13 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
             sources = (env.loader.get_source(env, name)[0] for name in names if env.loader)
             self.build.trusted = trusted_scripts(sources)
         return env
+
+    def on_page_context(
+        self, context: Any, *, page: MkDocsPage, config: MkDocsConfig, nav: Navigation
+    ) -> Any:
+        """The menu of a page in another language begins with the lessons in it."""
+        own_lessons_first(nav.items, page.file.src_uri)
+        return context
 
     def on_post_page(self, output: str, *, page: MkDocsPage, config: MkDocsConfig) -> str:
         """Policy and scripts of one page."""

@@ -5,8 +5,12 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from mkdocs.structure.nav import Link, Section
+
 from sim.cli.site.build import build_site
+from sim.pages.language import LANGUAGES
 from sim.pages.text.theme_words import MENU_WORDS
+from sim.pages.translate.page_turns import own_lessons_first
 from tests.conftest import ROOT
 from tests.pages.given.small_site import CONFIG, MakeSite, lesson, make_site
 
@@ -62,6 +66,21 @@ def test_the_pages_of_a_site_are_turned_in_one_language(make_site: MakeSite) -> 
     for language in ("ms", "ta"):
         assert turns(f"worksheets/{language}/first.html") == ["second.html"]
         assert turns(f"worksheets/{language}/second.html") == ["first.html"]
+
+
+def test_the_lessons_of_a_page_s_language_come_first_in_its_menu() -> None:
+    """Ten in English and seven in Malay stood above those in Tamil."""
+    names = [LANGUAGES[language] for language in sorted(LANGUAGES)]
+    english = [Link("Newton's first law", "first.html"), Link("Newton's second law", "second.html")]
+    lessons = Section("Lessons", [*english, *(Section(name, []) for name in names)])
+    first = [one.title for one in lessons.children]
+    for language in ("ta", "zh-Hans", "ms"):
+        own_lessons_first([lessons], f"worksheets/{language}/first.md")
+        name = LANGUAGES[language]
+        told = [one.title for one in lessons.children]
+        assert told == [name, *(one for one in first if one != name)]
+    own_lessons_first([lessons], "worksheets/first.md")
+    assert [one.title for one in lessons.children] == first
 
 
 def test_a_lesson_may_say_what_language_it_speaks(make_site: MakeSite) -> None:

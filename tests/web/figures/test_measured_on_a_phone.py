@@ -23,8 +23,16 @@ CUT = """() => [...document.querySelectorAll(".carts-measured-figure text")].fil
   return width > 0 && out;
 }).map((text) => text.textContent)"""
 
+LABELS = ".carts-measured-figure text:not(.carts-measured-hint), .carts-measured-stage text"
+HEIGHTS = """(texts) => texts.filter((one) => one.checkVisibility()).map((one) =>
+  parseFloat(getComputedStyle(one).fontSize)
+    * one.ownerSVGElement.getBoundingClientRect().width
+    / one.ownerSVGElement.viewBox.baseVal.width)"""
 
-def test_no_number_of_an_axis_is_cut_off_on_a_phone(tmp_path: Path, open_page: OpenPage) -> None:
+
+def test_no_number_of_an_axis_is_cut_off_or_small_on_a_phone(
+    tmp_path: Path, open_page: OpenPage
+) -> None:
     """The last instant stands at the end of its axis: of “2.0” one read “2.(”."""
     page = open_page(build_measured(tmp_path) / "film.html")
     page.set_viewport_size({"width": 360, "height": 740})
@@ -35,3 +43,4 @@ def test_no_number_of_an_axis_is_cut_off_on_a_phone(tmp_path: Path, open_page: O
     page.set_input_files(".carts-measured-file", readings)
     expect(page.locator(".carts-measured-figure .carts-tick-x").last).to_have_text("2.0")
     assert page.evaluate(CUT) == []
+    assert min(page.locator(LABELS).evaluate_all(HEIGHTS)) >= 12  # px

@@ -14,7 +14,7 @@ import pytest
 from playwright.sync_api import Browser, Page
 
 from tests.web.runtime.boot_site import ROOT
-from tests.web.site.accessibility import PALE, RUN_AXE
+from tests.web.site.accessibility import PALE, RUN_AXE, SMALL
 from tests.web.site.pages_of import (
     COUNT_SHIFTS,
     DRAWN,
@@ -32,6 +32,8 @@ AXE = ROOT / "node_modules" / "axe-core" / "axe.min.js"
 # The theme makes code that is wider than its place focusable a moment after it is laid out.
 WIDE_CODE = """() => [...document.querySelectorAll("pre > code")].every((code) =>
   code.scrollWidth <= code.clientWidth || code.tabIndex === 0)"""
+
+LEAST = 24  # px, for what is pressed or pulled
 
 # Where axe does not look into elements of ours, it would still walk through all of them for every
 # rule: on a page with scenes two seconds of the two and a quarter. Head and navigation likewise.
@@ -65,6 +67,7 @@ class Found:
     jumps: list[tuple[str, object]] = field(default_factory=list)
     pale: list[tuple[str, object]] = field(default_factory=list)
     violations: list[tuple[str, object]] = field(default_factory=list)
+    small: list[tuple[str, object]] = field(default_factory=list)
 
 
 @pytest.fixture(scope="module")
@@ -93,6 +96,7 @@ def found(site: Path, browser: Browser) -> Found:
             look(page, *VIEWS[1])
         page.evaluate(OPEN_ALL)
         page.wait_for_function(WIDE_CODE)
+        all_.small += [(name, one) for one in page.evaluate(SMALL, LEAST)]
         if name not in chosen:
             page.evaluate(ARTICLE_ALONE)
         page.evaluate(axe)
@@ -127,6 +131,10 @@ def test_nothing_jumps_on_a_phone_while_a_page_is_read_in(found: Found) -> None:
 def test_every_text_can_be_told_from_what_lies_behind_it(found: Found) -> None:
     """On a desktop and a phone, in light and dark, and on paper from a dark screen."""
     assert found.pale == []
+
+
+def test_everything_to_press_or_pull_is_24_px_high_and_wide(found: Found) -> None:
+    assert found.small == []
 
 
 def test_every_page_passes_axe(found: Found) -> None:

@@ -1,5 +1,5 @@
-"""Larger letters in a reader's browser, on a phone: nothing of a scene or a question is cut off,
-nor is the page wider than the window."""
+"""Larger letters in a reader's browser: on a phone nothing of a scene or a question is cut off, nor
+is the page wider than the window; on a laptop the picture stays large. Fingers, forced colours."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
+from tests.web.site.accessibility import PALE, SMALL
+from tests.web.site.test_one_screen import LEAST_LETTER, LETTERS
 
 pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
 
@@ -47,3 +49,48 @@ def test_nothing_is_cut_off_beside_large_letters(
     assert page.evaluate("document.documentElement.scrollWidth") <= width + 1
     for whole in page.locator(".carts-bar-who").all():  # “no code word yet”
         assert whole.evaluate("(button) => button.scrollWidth - button.clientWidth") <= 1
+
+
+@pytest.mark.parametrize("name", ["sandbox", "worksheets/newtons-third-law"])
+def test_letters_twice_as_large_leave_the_picture_what_room_there_is(
+    open_page: OpenPage, site: Path, name: str
+) -> None:
+    """The column of graphs grew with the letters, and left carts of the size of a thumbnail."""
+    window = {"width": 1280, "height": 900}
+    page = open_page(site / f"{name}.html", folder=site, viewport=window)
+    enlarge(page, 32)
+    expect(page.locator("html")).to_have_css("font-size", "40px")
+    assert [one for one in page.evaluate(LETTERS) if one["size"] < LEAST_LETTER] == []
+
+
+FINGER = 44  # px
+PULLED = ".carts :is(.carts-button, .carts-slider)"
+
+
+def test_what_a_finger_presses_or_pulls_is_44_px_high(open_page: OpenPage, site: Path) -> None:
+    phone = {"viewport": {"width": 360, "height": 740}, "has_touch": True, "is_mobile": True}
+    page = open_page(site / "index.html", folder=site, **phone)
+    low = page.locator(PULLED).evaluate_all(
+        """(parts, least) => parts.filter((one) => one.checkVisibility()
+          && one.getBoundingClientRect().height < least - 0.01).map((one) => one.className)""",
+        FINGER,
+    )
+    assert low == []
+    assert page.evaluate(SMALL, 24) == []
+    undo, reset = (one.bounding_box() for one in page.locator(".carts-reset-row button").all())
+    assert undo
+    assert reset
+    apart = max(reset["x"] - undo["x"] - undo["width"], reset["y"] - undo["y"] - undo["height"])
+    assert apart > 6  # px: who wants the one does not hit the other
+
+
+def test_what_is_read_before_a_run_can_be_told_in_forced_colours(
+    open_page: OpenPage, site: Path
+) -> None:
+    page = open_page(
+        site / "worksheets" / "newtons-second-law.html", folder=site, forced_colors="active"
+    )
+    talk = page.locator(".carts-talk").first
+    talk.evaluate("(box) => { box.hidden = false; }")
+    expect(talk).to_be_visible()
+    assert page.evaluate(PALE) == []

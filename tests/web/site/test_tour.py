@@ -12,6 +12,7 @@ from tests.web.conftest import OpenPage
 from tests.web.scene.given.widget_site import LIVE
 from tests.web.site.lessons_with_scenes import LESSONS
 from tests.web.site.pages_of import DRAWN
+from tests.web.site.test_large_letters import enlarge
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -142,3 +143,17 @@ def test_on_a_phone_a_hint_goes_to_a_corner_of_the_sky_before_it_lies_on_the_sca
     assert card
     assert scale
     assert card["y"] + card["height"] < scale["y"]
+
+
+@pytest.mark.one_browser
+def test_a_hint_covers_no_cart_beside_letters_twice_as_large(
+    site: Path, open_page: OpenPage
+) -> None:
+    page = open_page(site / "index.html", viewport=SMALL)
+    enlarge(page, 32)
+    scene = page.locator("carts-scene").first
+    expect(scene).to_have_attribute("data-state", "live", timeout=LIVE)
+    expect(hint(page)).to_have_count(1)
+    scene.dispatch_event("keyup")
+    page.wait_for_timeout(SETTLED)
+    clear_in(scene, (SMALL, LAPTOP))
