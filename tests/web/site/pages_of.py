@@ -14,6 +14,15 @@ LATE = 300  # ms; what moves late, by an element of ours, moves within this
 OURS = "[...document.querySelectorAll('*')].some((one) => one.localName.startsWith('carts-'))"
 DRAWN = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 HALF_A_FORMULA = re.compile(r"Incorrect number of children for <m\w+/> tag\.")
+SHEET = re.compile(rb"/Type\s*/Page[^s]")  # of a PDF
+LETTERS = """() => [...document.querySelectorAll(".carts-stage text, .carts-plot text")]
+    .filter((one) => one.checkVisibility() && one.textContent.trim()).map((one) => {
+        const drawing = one.ownerSVGElement;
+        const scale = drawing.getBoundingClientRect().width / drawing.viewBox.baseVal.width;
+        return { name: `${one.closest("carts-scene").id} ${one.textContent}`,
+            size: parseFloat(getComputedStyle(one).fontSize) * scale };
+    })"""
+LEAST_LETTER = 12.95  # px: 13, drawn in a picture that is a whole number of pixels wide
 COUNT_SHIFTS = """
   window.shifted = 0;
   window.moved = [];
@@ -95,3 +104,9 @@ def of_each_kind(site: Path) -> list[str]:
         chosen.append(max(of_page, key=lambda name: len(of_page[name] & left)))
         left -= of_page[chosen[-1]]
     return chosen
+
+
+def enlarge(page: Page, size: int) -> None:
+    """The size of letters in the settings of the browser, 16 where nobody has changed it."""
+    session = page.context.new_cdp_session(page)
+    session.send("Page.setFontSizes", {"fontSizes": {"standard": size, "fixed": size}})

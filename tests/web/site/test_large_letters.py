@@ -6,11 +6,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
 from tests.web.site.accessibility import PALE, SMALL
-from tests.web.site.test_one_screen import LEAST_LETTER, LETTERS
+from tests.web.site.pages_of import LEAST_LETTER, LETTERS, enlarge
 
 pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
 
@@ -28,12 +28,6 @@ CUT = """() => {
     .map((part) => `${part.tagName} ${part.className} ${part.textContent.trim().slice(0, 30)}`));
 }"""
 PAGES = ("worksheets/newtons-third-law", "worksheets/test-forces-and-motion", "sandbox")
-
-
-def enlarge(page: Page, size: int) -> None:
-    """The size of letters in the settings of the browser, 16 where nobody has changed it."""
-    session = page.context.new_cdp_session(page)
-    session.send("Page.setFontSizes", {"fontSizes": {"standard": size, "fixed": size}})
 
 
 @pytest.mark.parametrize(("width", "size"), [(360, 20), (320, 24)])

@@ -10,7 +10,7 @@ from playwright.sync_api import Locator, Page
 from tests.web.conftest import OpenPage
 from tests.web.scene.given.widget_site import LIVE
 from tests.web.site.lessons_with_scenes import LESSONS
-from tests.web.site.pages_of import DRAWN
+from tests.web.site.pages_of import DRAWN, LEAST_LETTER, LETTERS
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
@@ -36,14 +36,6 @@ LENGTHS = """() => [...document.querySelectorAll("carts-scene .carts-cart")].fil
         return { name: `${cart.closest("carts-scene").id} ${cart.dataset.body}`,
             length: side("right").right - side("left").left };
     })"""
-LETTERS = """() => [...document.querySelectorAll(".carts-stage text, .carts-plot text")]
-    .filter((one) => one.checkVisibility() && one.textContent.trim()).map((one) => {
-        const drawing = one.ownerSVGElement;
-        const scale = drawing.getBoundingClientRect().width / drawing.viewBox.baseVal.width;
-        return { name: `${one.closest("carts-scene").id} ${one.textContent}`,
-            size: parseFloat(getComputedStyle(one).fontSize) * scale };
-    })"""
-LEAST_LETTER = 12.95  # px: 13, drawn in a picture that is a whole number of pixels wide
 
 
 def too_low(page: Page, height: int, parts: dict[str, int]) -> list[str]:

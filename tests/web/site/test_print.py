@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage
-from tests.web.site.test_print_empty import PAGE
+from tests.web.site.pages_of import SHEET
 
 pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
 
@@ -27,7 +27,7 @@ def test_a_form_for_readings_that_nobody_has_chosen_is_not_printed(
 def test_the_hard_cases_are_a_table_on_paper_of_few_sheets(site: Path, open_page: OpenPage) -> None:
     """As on a phone, each cell on a line of its own, they took fifteen sheets, mostly white."""
     page = open_page(site / "accuracy" / "hard-cases.html", folder=site)
-    assert len(PAGE.findall(page.pdf(format="A4"))) <= 7
+    assert len(SHEET.findall(page.pdf(format="A4"))) <= 7
 
 
 def test_what_leads_to_a_table_is_printed_above_it(site: Path, open_page: OpenPage) -> None:

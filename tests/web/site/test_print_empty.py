@@ -11,11 +11,11 @@ from playwright.sync_api import Page, expect
 from tests.web.conftest import OpenPage
 from tests.web.question.answering import continue_as
 from tests.web.runtime.boot_site import ROOT
+from tests.web.site.pages_of import SHEET
 
 pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
 
 SHEETS = 6  # of A4, for the core of a lesson of 45 minutes
-PAGE = re.compile(rb"/Type\s*/Page[^s]")
 
 
 @pytest.fixture
@@ -30,7 +30,7 @@ def printed(site: Path, open_page: OpenPage) -> Page:
 
 
 def test_the_core_of_a_lesson_takes_six_sheets(printed: Page) -> None:
-    assert len(PAGE.findall(printed.pdf(format="A4"))) <= SHEETS
+    assert len(SHEET.findall(printed.pdf(format="A4"))) <= SHEETS
 
 
 def test_a_core_sheet_leaves_out_what_is_optional_and_what_a_run_shows(printed: Page) -> None:
@@ -158,4 +158,4 @@ def test_a_form_that_is_not_open_takes_no_sheet(site: Path, open_page: OpenPage)
     page.get_by_role("button", name="Print empty").click()
     page.emulate_media(media="print")
     expect(page.locator("carts-quiz").locator("visible=true")).to_have_count(1)
-    assert len(PAGE.findall(page.pdf(format="A4"))) == SHEETS - 1
+    assert len(SHEET.findall(page.pdf(format="A4"))) == SHEETS - 1

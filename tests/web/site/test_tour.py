@@ -11,8 +11,7 @@ from tests.conftest import ROOT
 from tests.web.conftest import OpenPage
 from tests.web.scene.given.widget_site import LIVE
 from tests.web.site.lessons_with_scenes import LESSONS
-from tests.web.site.pages_of import DRAWN
-from tests.web.site.test_large_letters import enlarge
+from tests.web.site.pages_of import DRAWN, enlarge
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 
