@@ -1396,7 +1396,7 @@
   function amount(what, value, figures2) {
     const { kind: kind2 } = parts(what);
     if (kind2 === "count") return String(Math.round(value));
-    return short(value, figures2) + (UNITS2[kind2] ?? " J");
+    return (short(value, figures2) + (UNITS2[kind2] ?? " J")).replaceAll(" ", " ");
   }
   function cameOut(wanted2, got, figures2) {
     let worst = "";

@@ -10761,7 +10761,7 @@ ${y.map(([at, text3]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT
   function amount(what, value, figures2) {
     const { kind: kind2 } = parts(what);
     if (kind2 === "count") return String(Math.round(value));
-    return short(value, figures2) + (UNITS2[kind2] ?? " J");
+    return (short(value, figures2) + (UNITS2[kind2] ?? " J")).replaceAll(" ", " ");
   }
   function cameOut(wanted, got, figures2) {
     let worst = "";

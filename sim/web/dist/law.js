@@ -2218,7 +2218,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     }
     #bar() {
       const bar = html("div", "carts-worlds-bar");
-      this.play = html("button", "carts-button", "");
+      this.play = html("button", "carts-button carts-play", "");
       this.play.setAttribute("type", "button");
       this.play.addEventListener("click", () => this.player.toggle());
       this.scrub = document.createElement("input");
@@ -2244,6 +2244,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       const words = tr("{time} s", { time: fixed(t, 2) });
       this.scrub.setAttribute("aria-valuetext", words);
       say(this.clock, words);
+      this.play.classList.toggle("carts-is-playing", this.player.playing);
       say(this.play, this.player.playing ? tr("Pause") : tr("Play"));
     }
   };
@@ -2298,15 +2299,15 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
 
   // src/law/bar.js
   function lawBar(acts) {
-    const button2 = (text, act) => {
-      const made = html("button", "carts-button", text);
+    const button2 = (text, act, name = "") => {
+      const made = html("button", `carts-button ${name}`, text);
       made.type = "button";
       made.addEventListener("click", act);
       return made;
     };
     const root = html("div", "carts-law-bar");
-    const run = button2(tr("Run"), acts.run);
-    const judge = button2(tr("Judge"), acts.judge);
+    const run = button2(tr("Run"), acts.run, "carts-law-act");
+    const judge = button2(tr("Judge"), acts.judge, "carts-law-act");
     const end2 = button2(tr("Stop"), acts.stop);
     end2.disabled = true;
     const again = askingButton(

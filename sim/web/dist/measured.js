@@ -1763,6 +1763,7 @@
       this.scrub.value = String(this.player.time);
       this.scrub.setAttribute("aria-valuetext", `${fixed(t, 2)} s`);
       say(this.#part("clock"), `t = ${fixed(t, 3)} s`);
+      this.#part("play").classList.toggle("carts-is-playing", this.player.playing);
       say(this.#part("play"), this.player.playing ? tr("Pause") : tr("Play"));
     }
     told(report) {

@@ -2177,7 +2177,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     }
     #bar() {
       const bar = html("div", "carts-worlds-bar");
-      this.play = html("button", "carts-button", "");
+      this.play = html("button", "carts-button carts-play", "");
       this.play.setAttribute("type", "button");
       this.play.addEventListener("click", () => this.player.toggle());
       this.scrub = document.createElement("input");
@@ -2203,6 +2203,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       const words = tr("{time} s", { time: fixed(t, 2) });
       this.scrub.setAttribute("aria-valuetext", words);
       say(this.clock, words);
+      this.play.classList.toggle("carts-is-playing", this.player.playing);
       say(this.play, this.player.playing ? tr("Pause") : tr("Play"));
     }
   };
