@@ -33,6 +33,7 @@ def goal_of(text: str) -> Goal:
         ("v.A<-20 cm/s", Goal(Term(1, "v.A", "end"), "<", Term(-0.2))),
         ("largest F.A-B > 20 N", Goal(Term(1, "F.A-B", "largest"), ">", Term(20.0))),
         ("F.B = 2 F.A", Goal(Term(1, "F.B", "largest"), "=", Term(2.0, "F.A", "largest"))),
+        ("a.A > 2 m/s²", Goal(Term(1, "a.A", "largest"), ">", Term(2.0))),
         ("3·p.A > start p.B", Goal(Term(3, "p.A", "end"), ">", Term(1, "p.B", "start"))),
     ],
 )

@@ -84,6 +84,22 @@ def test_seconds_since_1970_count_from_the_first_reading() -> None:
     assert found.tracks[0].t == pytest.approx(TIMES, abs=1e-6)
 
 
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("11:59:59 AM", "12:00:00 PM"),
+        ("12:59:59 p.m.", "1:00:00 p.m."),
+        ("12:00:00 AM", "12:00:01 am"),
+        ("12:59:59 AM", "1:00:00 AM"),
+    ],
+)
+def test_noon_is_twelve_pm_and_midnight_twelve_am(before: str, after: str) -> None:
+    one, next_one = seconds_of(before), seconds_of(after)
+    assert one is not None and next_one is not None
+    assert next_one - one == 1.0
+    assert seconds_of("12:00:00 AM") == 0.0
+
+
 def test_what_is_no_time_of_day_is_none() -> None:
     for cell in ("10:17", "25:00:00", "10:61:00", "10:17:99", "1.5", "", "a:b:c"):
         assert seconds_of(cell) is None
