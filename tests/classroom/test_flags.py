@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
+
 from sim.classroom.files.reading import Reading, Source
 from sim.classroom.report.report import Asked, class_report
 from sim.classroom.show.report_page import report_html
@@ -66,6 +68,7 @@ def test_equal_files_are_counted_and_asked_about() -> None:
     made = report(answers(BANK, "FOX", "pre", ALL), answers(BANK, "OWL", "pre", ALL, start=5))
     (flag,) = made["flags"]
     assert flag["sentence"].startswith("Same answers in 2 files. Partners and good students do")
+    assert "times" not in flag["sentence"]  # the one began five minutes later
     assert flag["files"] == ("0.json", "1.json")
     assert made["files"]["counted"] == 2
 
@@ -125,6 +128,23 @@ def test_clocks_and_haste_are_asked_about() -> None:
     early = answers(BANK, "BEE", "post", ALL, day=1)
     late = answers(BANK, "BEE", "pre", ALL, day=2)
     assert codes(report(early, late)) == ["post-before-pre"]
+
+
+@pytest.mark.parametrize(("now", "asked"), [("08-31T09:59", []), ("08-31T07:59", ["impossible"])])
+def test_a_clock_may_be_ahead_by_a_day_and_no_more(now: str, asked: list[str]) -> None:
+    """Saved on 1 September at 08:59."""
+    found = codes(report(answers(BANK, "FOX", "pre", ALL), now=f"2026-{now}:00Z"))
+    assert [code.partition("-")[0] for code in found] == asked
+
+
+@pytest.mark.parametrize(("last", "asked"), [("09.900", ["in-haste"]), ("10.100", [])])
+def test_two_seconds_from_each_answer_to_the_next_are_no_haste(last: str, asked: list[str]) -> None:
+    """Six answers: five times two seconds."""
+    fast = answers(BANK, "OWL", "pre", ALL)
+    for item in fast["items"]:
+        item["first"] = item["last"] = "2026-09-01T08:05:00.000Z"
+    fast["items"][-1]["last"] = f"2026-09-01T08:05:{last}Z"
+    assert codes(report(fast)) == asked
 
 
 def test_of_questions_of_one_kind_the_first_are_asked_in_full_and_the_others_on_demand() -> None:

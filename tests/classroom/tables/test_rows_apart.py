@@ -66,7 +66,7 @@ def test_a_row_of_sums_or_means_is_no_student_and_named() -> None:
 
 
 def test_a_student_may_be_called_sum() -> None:
-    found = table("name,pre,post", "Anna,2,5", "Sum,3,4", "Ben,5,8")
+    found = table("name,pre,post", "Anna,2,5", "Sum,3,9", "Ben,5,8")  # no sum of pre
     assert students(found) == ["Anna", "Sum", "Ben"]
     found = table("name,class,pre", "Anna,7a,2", "Sum,7a,9")
     assert students(found) == ["Anna", "Sum"]
