@@ -69,7 +69,12 @@ def test_an_order_that_the_inputs_leave_open_is_not_claimed() -> None:
 
 @pytest.mark.parametrize(
     ("mass", "code"),
-    [("0.5(6) kg", "out-of-range"), ("0.5() kg", "wrong-unit"), ("0.5 kg ± 1 m", "wrong-unit")],
+    [
+        ("0.5(6) kg", "out-of-range"),
+        ("0.5() kg", "wrong-unit"),
+        ("0.5 kg ± 1 m", "wrong-unit"),
+        ("0.5 kg ± -0.01 kg", "not-a-number"),
+    ],
 )
 def test_a_tolerance_that_makes_no_sense_is_an_error(mass: str, code: str) -> None:
     with pytest.raises(SceneError) as error:

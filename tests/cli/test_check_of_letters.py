@@ -76,7 +76,9 @@ def test_what_is_no_text_under_the_name_of_a_lesson_or_a_scene_is_told_by_what_i
         assert "hint: save its text as plain text, UTF-8" in result.output
 
 
-@pytest.mark.parametrize(("angle", "told"), [("1", True), ("0.05", False), ("1 rad", False)])
+@pytest.mark.parametrize(
+    ("angle", "told"), [("1", True), ("-1", True), ("0.05", False), ("1 rad", False)]
+)
 def test_a_plain_angle_that_was_meant_in_degrees_is_a_hint(
     angle: str, told: bool, tmp_path: Path
 ) -> None:
@@ -88,10 +90,10 @@ def test_a_plain_angle_that_was_meant_in_degrees_is_a_hint(
     )
     result = CliRunner().invoke(main, ["check", str(lesson)])
     assert result.exit_code == 0
-    assert ("For 1° write angle: 1 deg" in result.output) == told
+    assert (f"For {angle}° write angle: {angle} deg" in result.output) == told
 
 
-@pytest.mark.parametrize(("mass", "told"), [("20 kg", True), ("3 kg", False)])
+@pytest.mark.parametrize(("mass", "told"), [("20 kg", True), ("0.2 kg", True), ("3 kg", False)])
 def test_a_preset_that_its_slider_cannot_show_is_a_hint(
     mass: str, told: bool, tmp_path: Path
 ) -> None:

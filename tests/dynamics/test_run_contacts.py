@@ -8,6 +8,7 @@ import pytest
 
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.trajectory import sample
+from sim.laws.lookup import contact_law
 from sim.scene import apply_changes, read_scene
 from tests import registry
 
@@ -41,6 +42,28 @@ def test_a_start_in_overlap_springs_apart():
     assert finished.v[1] - finished.v[0] == pytest.approx(u, rel=1e-14)
     assert finished.ledger.energy_initial == pytest.approx(0.5 * 500 * 0.02**2, rel=1e-14)
     assert finished.ledger.warmed == pytest.approx(0.0, abs=1e-16)
+
+
+@pytest.mark.parametrize("effects", [[], [{"push": {"cart": "A", "force": 0.01}}]])
+def test_a_push_only_pair_that_overlaps_and_parts_fast_does_not_touch(effects):
+    """The damper would pull more than the spring pushes: N = k d + c d' < 0, so there is none."""
+    plain = {
+        "carts": {
+            "A": {"mass": 1, "position": 0.2, "velocity": -0.5},
+            "B": {"mass": 1, "position": 0.36, "velocity": 0.5},
+        },
+        "contact": {"law": "push-only", "restitution": 0.5, "stiffness": 60},
+        "start": {"overlap": True},
+        "effects": effects,
+        "until": 0.5,
+    }
+    scene = read_scene(plain)
+    law = contact_law(scene.contacts[1])
+    assert law.force(0.5, 0.04, 2 * -0.5) < 0.0
+    finished = run(scene)
+    assert [event.kind for event in finished.record.events] == ["end"]
+    assert finished.record.deepest == {}  # no bumper was squeezed
+    assert finished.v == pytest.approx((-0.495 if effects else -0.5, 0.5), rel=1e-14)
 
 
 def test_a_bumper_caught_between_cart_and_wall_is_pressed_again_before_it_is_clear():

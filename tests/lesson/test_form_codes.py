@@ -59,6 +59,16 @@ def test_the_code_of_another_form_is_refused() -> None:
             decode([4] * 15, code, other)
 
 
+def test_a_code_that_counts_on_beyond_the_last_answers_is_refused() -> None:
+    """Its check agrees: whoever made it up knows the form, and no answers stand behind it."""
+    options = [4] * 3
+    last = encode(options, options, HASH)
+    assert decode(options, last, HASH) == (4, 4, 4)
+    longer = encode([*options, 4], [1, 0, 0, 0], HASH)  # the next number: 5³
+    with pytest.raises(HandInError, match="another form"):
+        decode(options, longer, HASH)
+
+
 def test_a_form_that_is_too_long_or_asks_for_words_has_no_code() -> None:
     assert fits([5] * 15)
     assert not fits([5] * 20)

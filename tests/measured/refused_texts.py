@@ -32,6 +32,11 @@ REFUSED: dict[str, tuple[str, int, str]] = {
         "t (ms)\tx_A (mm)\tx_B (mm)\n" + "".join(f"{k}\t1,{300 + k}\t2,001\n" for k in range(20)),
         2, "a thousand times"
     ),
+    "thousands of milliseconds": (
+        "t (ms)\tx_A (cm)\tx_B (cm)\n"
+        + "".join(f"1,{20 * k:03}\t{30 + k}\t80\n" for k in range(20)),
+        2, "a thousand times"
+    ),
     "too many cells": (body({2: "0.1\t1\t2\t3"}), 4, "4 cells under 3 heads"),
     "mixed units": (
         "t\tx_A (cm)\tx_B\n" + rows("\t"), 1, "one column names its unit and the other does not"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 from random import Random
 from typing import Any
 
@@ -11,6 +12,7 @@ import pytest
 
 from sim.measured.analysis import Analysis, analysed
 from sim.measured.events.story import Hints, story_of
+from sim.measured.same_ratio import same_ratio
 from sim.measured.tracks import read_measured
 from tests.measured.device_reports import LOGGED, known, lost_at_the_touch, report
 from tests.measured.devices import Motion, motion_capture, sensor_carts, tracker_project
@@ -128,6 +130,15 @@ def test_two_sensors_are_joined_by_the_contact_and_it_is_said() -> None:
     assert any("joined by the contact" in one for one in story.frames.said)
     e = (story.speeds.v[3] - story.speeds.v[2]) / (story.speeds.v[0] - story.speeds.v[1])
     assert e == pytest.approx(LOGGED.e, abs=0.06)
+
+
+def test_two_sensors_with_two_scales_are_not_read_by_the_model_however_well_it_fits() -> None:
+    found = analysed(read_measured([sensor_carts(LOGGED)]))
+    assert found.fit and found.story.frames and found.story.frames.joined
+    perfect = replace(found.fit, noise=0.0)
+    assert not same_ratio(found.story, perfect, None)
+    one_scale = replace(found.story, frames=replace(found.story.frames, joined=False))
+    assert same_ratio(one_scale, perfect, None)
 
 
 def test_a_reader_s_signs_and_zeros_are_kept() -> None:

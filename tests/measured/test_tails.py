@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import pytest
+
 from sim.measured.events.contacts import Contact
-from sim.measured.events.stretch import Kind, Segment
+from sim.measured.events.stretch import KINDS, Kind, Segment
 from sim.measured.events.tails import with_tail
 
 CONTACT = Contact(1.0, 1.02, 1.05, 0.4)
@@ -24,5 +26,14 @@ def test_a_short_small_push_the_same_way_belongs_to_the_contact() -> None:
 
 
 def test_a_long_a_large_or_an_opposite_push_does_not() -> None:
-    for kind, until, change in (("hand", 1.4, 0.08), ("hand", 1.2, 0.3), ("stop", 1.2, -0.08)):
-        assert with_tail(CONTACT, followed_by(kind, until, change)) == CONTACT  # type: ignore[arg-type]
+    cases: tuple[tuple[Kind, float, float], ...] = (
+        ("hand", 1.4, 0.08), ("hand", 1.2, 0.3), ("stop", 1.2, -0.08)
+    )  # fmt: skip
+    for kind, until, change in cases:
+        assert with_tail(CONTACT, followed_by(kind, until, change)) == CONTACT
+
+
+@pytest.mark.parametrize("kind", sorted(set(KINDS) - {"hand", "stop"}))
+def test_what_is_no_push_of_a_hand_or_a_stop_ends_the_contact(kind: Kind) -> None:
+    """However short and small: a brake and a coasting cart are told as such."""
+    assert with_tail(CONTACT, followed_by(kind, 1.2, 0.08)) == CONTACT

@@ -6,6 +6,8 @@ import pytest
 
 from sim.pages.blocks.scene_block import Lesson, SiteIds
 from sim.pages.checks.lessons import check_lesson
+from sim.pages.checks.off_track import off_track
+from sim.scene import read_scene
 
 ARROWS = """# A lesson
 
@@ -43,6 +45,18 @@ def test_forces_to_predict_that_never_act_are_a_warning(
     found = check_lesson(ARROWS % (velocity, until, more), Lesson("a.md", (), ()), SiteIds())
     told = [(f.code, f.severity, warned in f.message) for f in found]
     assert told == ([("no-force-to-predict", "warning", True)] if warned else []), found
+
+
+@pytest.mark.parametrize(
+    ("position", "off"), [(0, False), (-1e-9, True), (2, False), (2 + 1e-9, True), (1, False)]
+)
+def test_a_cart_may_begin_at_either_end_of_its_track_and_not_beyond(
+    position: float, off: bool
+) -> None:
+    carts = {"A": {"mass": 1, "position": position}}
+    found = off_track(read_scene({"carts": carts, "track": {"length": 2}, "until": 1}))
+    assert [one.code for one in found] == ["off-track"] * off
+    assert off_track(read_scene({"carts": carts, "until": 1})) == []
 
 
 @pytest.mark.parametrize(
