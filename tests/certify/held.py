@@ -25,6 +25,15 @@ NO_BOUND = {
 together, two ends at one instant."""
 
 
+HARD_WITHOUT_BOUND = {
+    *("collapse-below", "collapse-just-above", "zeno-on-a-slope"),
+    *("triple-hit-paper", "triple-hit-bumper", "hertz-cradle-3", "hertz-cradle-4"),
+    *("hertz-cradle-5", "quadratic-drag", "falling-in-air", "magnets-turning-point"),
+    "magnets-at-any-time",
+}
+"""Hard cases without one: bounces without a last time, two ends at one instant, and as above."""
+
+
 def exactly(number: mpf) -> Fraction:
     """Every digit of it."""
     sign, mantissa, exponent, _ = number._mpf_  # mpf(number) would round it

@@ -87,7 +87,8 @@ def test_with_one_class_in_each_group_no_p_is_told() -> None:
 
 
 def test_the_interval_stands_before_p() -> None:
-    for sentence in two(classes={"new": 2, "usual": 2})["sentences"]:
-        p = re.search(r"p [=<]", sentence)
-        if p:
-            assert 0 <= sentence.find("would fit") < p.start()
+    sentences = two(classes={"new": 2, "usual": 2})["sentences"]
+    told = [(one, p.start()) for one in sentences if (p := re.search(r"p [=<]", one))]
+    assert len(told) == 2  # adjusted for the start, and after teaching alone
+    for sentence, p in told:
+        assert 0 <= sentence.find("would fit") < p

@@ -44,6 +44,8 @@ def test_a_mean_says_how_much_was_left_open() -> None:
 
 def test_the_table_of_students_names_an_open_question_by_its_column() -> None:
     """Of the questions' ids a spreadsheet knows nothing."""
-    for row in csv.DictReader(students_csv(report_of_six()).lstrip("\ufeff").splitlines()):
+    rows = [*csv.DictReader(students_csv(report_of_six()).lstrip("\ufeff").splitlines())]
+    assert len(rows) == 6
+    for row in rows:
         assert row["question 1"] == "1"
         assert [row[f"question {number}"] for number in row["open"].split()] == ["0"] * 9

@@ -60,7 +60,9 @@ def test_a_belief_is_named_from_two_items_on() -> None:
 @pytest.mark.parametrize("count", [0, 1, 2, 4])
 def test_small_classes_get_no_statistics(count: int) -> None:
     report = made(("class", random_class(BANK, count)))
+    assert len(report["lessons"]) == (count > 0)
     for lesson in report["lessons"]:
+        assert (len(lesson["forms"]), len(lesson["gains"])) == (2, 1)
         assert all("mean" not in group for table in lesson["forms"] for group in table["groups"])
         assert all("gain" not in gain for gain in lesson["gains"])
         assert all("no statistics" in gain["sentences"][0] for gain in lesson["gains"])

@@ -170,10 +170,10 @@ def test_values_of_one_pair_follow_only_that_pair() -> None:
     plain["until"] = "2"
     axes = (("contact.restitution", spread(0.2, 1, 9)),)
     grid = solve(plain, axes, ("v", "A"))
+    assert grid.left == ()
     for point in range(9):
-        if point not in grid.left:
-            expected = by_engine(plain, changes_at(axes, point), ("v", "A"))
-            assert close(grid.values[0, point], expected, scale=1.0)
+        expected = by_engine(plain, changes_at(axes, point), ("v", "A"))
+        assert close(grid.values[0, point], expected, scale=1.0)
 
 
 def test_effects_are_run_on_a_grid_that_a_page_can_bear() -> None:
