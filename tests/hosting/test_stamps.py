@@ -75,7 +75,9 @@ def test_what_reads_films_is_asked_for_by_a_stamp_that_changes_with_it(tmp_path:
 
 
 def test_every_page_of_a_hosted_site_asks_for_our_files_by_their_stamp(hosted_site: Path) -> None:
-    for page in hosted_site.rglob("*.html"):
+    pages = [*hosted_site.rglob("*.html")]
+    assert len(pages) > 30
+    for page in pages:
         found = re.findall(OURS, page.read_text(encoding="utf-8"))
         assert found or page.name == "404.html"  # that one needs no file: see test_not_found.py
         assert [address for address in found if "?" not in address] == [], page.name

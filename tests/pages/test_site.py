@@ -54,7 +54,15 @@ def links(page: Path) -> Links:
 
 
 def pages(site: Path) -> list[Path]:
-    return sorted(site.rglob("*.html"))
+    found = sorted(site.rglob("*.html"))
+    assert len(found) > 30
+    return found
+
+
+def sheets(site: Path) -> list[Path]:
+    found = sorted(site.rglob("*.css"))
+    assert "carts.css" in {sheet.name for sheet in found}
+    return found
 
 
 def has_scene(page: Path) -> bool:
@@ -101,7 +109,7 @@ def test_every_link_inside_the_site_leads_somewhere(site: Path) -> None:
 
 
 def test_everything_a_style_sheet_loads_lies_in_the_site(site: Path) -> None:
-    for sheet in site.rglob("*.css"):
+    for sheet in sheets(site):
         for address in in_css(sheet):
             if address.startswith("#"):
                 continue
@@ -110,7 +118,7 @@ def test_everything_a_style_sheet_loads_lies_in_the_site(site: Path) -> None:
 
 
 def test_no_sheet_imports_another(site: Path) -> None:
-    for sheet in site.rglob("*.css"):
+    for sheet in sheets(site):
         assert "@import" not in sheet.read_text(encoding="utf-8"), sheet.name
 
 
@@ -135,16 +143,30 @@ def test_no_page_holds_what_the_policy_forbids(site: Path) -> None:
 
 
 def test_only_pages_with_a_scene_load_its_script(site: Path) -> None:
-    for page in pages(site):
-        loads = any(address.endswith("carts/carts.js") for address in links(page).loaded)
-        assert loads == has_scene(page), page
+    loading = {
+        page
+        for page in pages(site)
+        if any(address.endswith("carts/carts.js") for address in links(page).loaded)
+    }
+    assert loading == set(filter(has_scene, pages(site))) != set()
 
 
 def test_only_pages_with_formulas_load_katex(site: Path) -> None:
-    for page in pages(site):
-        formulas = 'class="arithmatex"' in page.read_text(encoding="utf-8")
-        loads = any("katex" in address for address in links(page).loaded)
-        assert loads == formulas, page
+    loading = {
+        page for page in pages(site) if any("katex" in address for address in links(page).loaded)
+    }
+    with_formulas = {
+        page for page in pages(site) if 'class="arithmatex"' in page.read_text(encoding="utf-8")
+    }
+    assert loading == with_formulas != set()
+
+
+def test_only_pages_that_name_a_world_carry_what_runs_it(site: Path) -> None:
+    texts = {page: page.read_text(encoding="utf-8") for page in pages(site)}
+    named = {page for page, text in texts.items() if "<carts-worlds" in text}
+    assert named
+    for what in ("carts/worlds.js", "newtons-carts-worlds"):
+        assert {page for page, text in texts.items() if what in text} == named
 
 
 def test_a_page_names_its_site_for_the_storage(site: Path) -> None:
@@ -159,9 +181,13 @@ def packed(path: Path) -> int:
 
 def test_a_page_without_the_runtime_is_light(site: Path) -> None:
     """Counted as if the page needed every font of its sheets: more than any browser loads."""
-    for page in pages(site):
-        if has_scene(page) or "<carts-law" in page.read_text(encoding="utf-8"):
-            continue  # it starts Python
+    counted = [
+        page
+        for page in pages(site)  # the others start Python
+        if not has_scene(page) and "<carts-law" not in page.read_text(encoding="utf-8")
+    ]
+    assert len(counted) > 10
+    for page in counted:
         files = {page}
         for address in links(page).loaded:
             target = (page.parent / unquote(urlsplit(address).path)).resolve()
@@ -177,9 +203,14 @@ def test_a_page_without_the_runtime_is_light(site: Path) -> None:
 
 
 def test_a_scene_costs_little_html(site: Path) -> None:
-    for page in pages(site):
-        text = page.read_text(encoding="utf-8")
-        scenes = re.findall(r"<carts-scene\b.*?</carts-scene>", text, re.DOTALL)
+    found = {
+        page: re.findall(
+            r"<carts-scene\b.*?</carts-scene>", page.read_text(encoding="utf-8"), re.DOTALL
+        )
+        for page in pages(site)
+    }
+    assert any(found.values())
+    for page, scenes in found.items():
         if scenes:
             each = sum(len(scene.encode()) for scene in scenes) / len(scenes)
             assert each <= MOST_HTML_PER_SCENE, f"{page.name}: {each:.0f} bytes per scene"

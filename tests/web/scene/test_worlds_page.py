@@ -15,15 +15,6 @@ LESSON = "worksheets/newtons-third-law.html"
 SCENE = "third-heavy-into-light"
 
 
-@pytest.mark.one_browser
-def test_only_pages_that_name_a_world_carry_what_runs_it(site: Path) -> None:
-    for path in site.rglob("*.html"):
-        text = path.read_text(encoding="utf-8")
-        named = "<carts-worlds" in text
-        assert ("carts/worlds.js" in text) == named, path
-        assert ("newtons-carts-worlds" in text) == named, path
-
-
 def predict_and_watch(page: Page, on_a: str, on_b: str) -> None:
     """Two relative arrows, locked; the run is shown to its end."""
     scene = page.locator(f"#{SCENE}")
