@@ -9,7 +9,7 @@ from playwright.sync_api import expect
 
 from tests.web.conftest import SharePage
 from tests.web.question.answering import guess
-from tests.web.scene.given.widget_site import live, lock, on_scene, widget_site
+from tests.web.scene.given.widget_site import AT_REST, live, lock, on_scene, widget_site
 
 pytestmark = pytest.mark.browser
 
@@ -46,7 +46,7 @@ def test_before_the_lock_cards_and_tables_hold_the_start_state_only(
     shared_page: SharePage, widget_site: Path
 ) -> None:
     page = live(shared_page(widget_site / "guessed.html"), "guessed")
-    page.wait_for_timeout(500)  # tables are filled when the page has come to rest
+    page.locator("#guessed").evaluate(AT_REST)  # tables are filled a while after the run is there
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     values = page.locator('#guessed [data-body="A"] .carts-value')
     assert values.all_inner_texts() == ["5", "0.500", "1.00", "–", "–"]

@@ -71,7 +71,7 @@ def test_nothing_is_made_or_asked_before_a_reader_opens_it(
     page.evaluate(COUNT)
     on_scene(page, 'await el.set({ "A.mass": 2 })')
     page.locator("#meeting .carts-play").click()
-    page.wait_for_timeout(500)
+    page.wait_for_function("() => document.getElementById('meeting').time > 0.3")
     assert asked(page) == ["run"]
     assert page.locator("#meeting .carts-how-body > *").count() == 0
     opened(page)

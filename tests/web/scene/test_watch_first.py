@@ -9,7 +9,15 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import SharePage
-from tests.web.scene.given.widget_site import CHOICE, LIVE, MEETING, live, on_scene, widget_site
+from tests.web.scene.given.widget_site import (
+    AT_REST,
+    CHOICE,
+    LIVE,
+    MEETING,
+    live,
+    on_scene,
+    widget_site,
+)
 from tests.web.scene.given.widget_site import write_page as put
 
 pytestmark = pytest.mark.browser
@@ -60,7 +68,9 @@ def watched(shared_page: SharePage, widget_site: Path) -> Page:
 
 @pytest.mark.one_browser
 def test_before_it_is_played_the_page_holds_the_start_alone(watched: Page) -> None:
-    watched.wait_for_timeout(500)  # tables are filled when the page has come to rest
+    watched.locator("#watched").evaluate(
+        AT_REST
+    )  # tables are filled a while after the run is there
     watched.evaluate("dispatchEvent(new Event('beforeprint'))")
     seen = told(watched)
     assert (seen["events"], seen["bands"], seen["marks"], seen["model"]) == (0, 0, 0, 0)

@@ -11,8 +11,10 @@ from playwright.sync_api import expect
 
 from tests.web.conftest import OpenPage, SharePage
 from tests.web.scene.given.widget_site import (
+    AT_REST,
     FENCES,
     MEETING,
+    PLAYS,
     in_windows,
     live,
     on_scene,
@@ -43,18 +45,6 @@ STILL = """el => {
   for (const part of copy.querySelectorAll(added)) part.remove();
   return copy.outerHTML.split(/(?=<[a-z])/).map((part) => part.trim());
 }"""
-
-AT_REST = """el => new Promise((done) => {
-  let waiting = 0;
-  const wait = () => {
-    clearTimeout(waiting);
-    waiting = setTimeout(() => { watching.disconnect(); done(); }, 400);
-  };
-  const watching = new MutationObserver(wait);
-  watching.observe(el, { subtree: true, childList: true, attributes: true, characterData: true });
-  wait();
-})"""
-"""Until nothing has changed in an element for longer than any of its timers waits."""
 
 
 @pytest.mark.one_browser
@@ -158,8 +148,7 @@ def test_a_missing_runtime_is_said_and_the_baked_run_plays(
     assert page.locator("#meeting").get_attribute("data-reason")
     expect(page.locator("#meeting .carts-note")).to_contain_text("The prepared run still plays")
     page.locator("#meeting .carts-play").click()
-    page.wait_for_timeout(300)
-    assert on_scene(page, "return el.time") > 0.1
+    page.wait_for_function(PLAYS)
     rejected = on_scene(page, "return el.ready.then(() => '', (error) => error.message)")
     assert rejected
     refused = on_scene(page, "return el.set({ 'A.mass': 2 }).then(() => '', (e) => e.message)")
@@ -177,8 +166,7 @@ def test_an_older_browser_plays_the_baked_run_and_says_one_sentence(
     page = open_page(old)
     expect(page.locator("#meeting .carts-note")).to_contain_text("too old to run Python")
     page.locator("#meeting .carts-play").click()
-    page.wait_for_timeout(300)
-    assert on_scene(page, "return el.time") > 0.1
+    page.wait_for_function(PLAYS)
 
 
 def test_without_javascript_the_picture_stands(

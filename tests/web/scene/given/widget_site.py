@@ -154,6 +154,21 @@ def in_node(script: str, data: object) -> Any:
     return json.loads(done.stdout)
 
 
+AT_REST = """el => new Promise((done) => {
+  let waiting = 0;
+  const wait = () => {
+    clearTimeout(waiting);
+    waiting = setTimeout(() => { watching.disconnect(); done(); }, 400);
+  };
+  const watching = new MutationObserver(wait);
+  watching.observe(el, { subtree: true, childList: true, attributes: true, characterData: true });
+  wait();
+})"""
+"""Until nothing has changed in an element for longer than any of its timers waits."""
+
+PLAYS = "() => document.getElementById('meeting').time > 0.1"
+"""Its clock goes on."""
+
 LIVE = 20_000  # ms; a loaded machine in the tests, not the goal
 
 
