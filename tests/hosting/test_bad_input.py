@@ -10,13 +10,15 @@ from pathlib import Path
 
 import click
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import CliRunner
 
 from sim.cli import doctor, main
 from sim.cli.site import site_folder
 from sim.cli.site.build import build_site
 from sim.pages import runtime
 from sim.pages.site import files as site_files
+from tests.cli.called import carts
+from tests.hosting.saving import edit
 
 
 @pytest.fixture
@@ -28,16 +30,6 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     assert carts("new", "mine").exit_code == 0
     monkeypatch.chdir(tmp_path / "mine")
     return tmp_path / "mine"
-
-
-def carts(*arguments: str) -> Result:
-    return CliRunner().invoke(main, arguments)
-
-
-def edit(path: Path, old: str, new: str) -> None:
-    text = path.read_text(encoding="utf-8")
-    assert old in text
-    path.write_text(text.replace(old, new, 1), encoding="utf-8")
 
 
 @pytest.mark.parametrize("name", ["Zwei Züge #2 50%", "a b", "100% sure?", "力学", "x" * 80])

@@ -6,7 +6,6 @@ import json
 import re
 import shutil
 import subprocess
-import time
 import urllib.request
 import zipfile
 from pathlib import Path
@@ -15,6 +14,7 @@ import pytest
 
 from sim.cli import COMMANDS, doctor
 from tests.hosting.conftest import ROOT, Installed
+from tests.hosting.saving import saved_again
 
 LARGEST = 32_000_000  # bytes of the wheel, numpy and scipy for the page included
 
@@ -163,11 +163,11 @@ def test_the_installed_preview_shows_an_edit(installed: Installed, tmp_path: Pat
 
         page = "worksheets/first-lesson.html"
         (epoch,) = re.findall(r"livereload\((\d+), ", get(page))
-        time.sleep(0.5)  # the watcher takes its first look
         lesson = root / "worksheets" / "first-lesson.md"
         text = lesson.read_text(encoding="utf-8")
         lesson.write_text(text.replace("# First lesson", "# Galumphing"), encoding="utf-8")
-        assert int(get(f"livereload/{epoch}/1")) > int(epoch)
+        with saved_again(lesson):
+            assert int(get(f"livereload/{epoch}/1")) > int(epoch)
         assert "Galumphing" in get(page)
     finally:
         server.terminate()

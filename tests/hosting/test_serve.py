@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import gzip
 import json
+import os
 import re
 import socket
 import threading
@@ -24,6 +25,7 @@ from sim.cli.site.serve import Previewer
 from sim.pages import runtime
 from sim.pages.site import files as site_files
 from sim.pages.teach.withheld import WORDS
+from tests.hosting.saving import edit, saved_again
 
 Edit = Callable[[str, str, str], None]
 
@@ -53,12 +55,6 @@ def preview(root: Path, tmp_path: Path) -> Iterator[Previewer]:
     assert not any("carts-author-error" in page for page in pages(made.site).values())
     yield made
     made.close()
-
-
-def edit(path: Path, old: str, new: str) -> None:
-    text = path.read_text(encoding="utf-8")
-    assert old in text
-    path.write_text(text.replace(old, new, 1), encoding="utf-8")
 
 
 def pages(site: Path) -> dict[str, str]:
@@ -210,13 +206,16 @@ def test_a_saved_file_reloads_the_page_in_the_browser(root: Path, tmp_path: Path
         assert status_of(server.url + page, "elsewhere.example") == 403
         assert status_of(server.url + "%00", None) == 404
         (epoch,) = re.findall(r"livereload\((\d+), ", get(page))
-        time.sleep(0.3)  # the watcher takes its first look
-        edit(root / "worksheets" / "two.md", "# Two", "# Two galumphing")
-        assert int(get(f"livereload/{epoch}/1")) > int(epoch)
+        two = root / "worksheets" / "two.md"
+        edit(two, "# Two", "# Two galumphing")
+        with saved_again(two):
+            assert int(get(f"livereload/{epoch}/1")) > int(epoch)
         assert "Two galumphing" in get(page)
         edit(root / "mkdocs.yml", "plugins:", "plugins: [")
-        while "cannot be built" not in (text := get(page)):
+        late = time.monotonic() + 60
+        while "cannot be built" not in (text := get(page)) and time.monotonic() < late:
             time.sleep(0.05)
+        assert "cannot be built" in text
         assert "this is not YAML" in text and "livereload(" in text
     finally:
         server.shutdown()
@@ -239,8 +238,9 @@ def test_a_changed_scene_file_changes_the_translated_page_too(root: Path, tmp_pa
     made.make()
     own = {"worksheets/two.html", "worksheets/ms/two.html"}
     assert own <= set(pages(made.site)) and not made.trouble
-    time.sleep(0.05)  # a file is newer than the page that was made of it
     edit(scene, "0.5 kg", "0.7 kg")
+    later = max(path.stat().st_mtime for path in made.site.rglob("*.html")) + 1
+    os.utime(scene, (later, later))  # a file is newer than the page that was made of it
     made.make()
     made.close()
     assert {name for name, text in pages(made.site).items() if "0.7 kg" in text} == own

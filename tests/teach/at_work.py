@@ -27,9 +27,8 @@ def enter(page: Page) -> None:
 
 
 def settled(page: Page) -> None:
-    """Wait until Python has seen what was typed."""
-    page.wait_for_timeout(400)  # a value is taken over in a pause
-    page.wait_for_selector(".carts-teach[data-state=ready]", timeout=WAIT)
+    """Wait until Python has seen what was typed: a field waits for a pause, then for Python."""
+    page.wait_for_selector(".carts-teach[data-state=ready]:not(:has([data-waits]))", timeout=WAIT)
 
 
 # Firefox tells Playwright nothing of downloads: the file is taken where the page makes it.

@@ -10,6 +10,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from tests.teach.at_work import LESSON, WAIT, enter, saved, settled
 from tests.web.conftest import OpenPage
+from tests.web.kept_store import DRAFTS, written
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.one_browser]
 
@@ -88,7 +89,7 @@ def test_without_python_a_kept_draft_is_what_is_shown_and_changed(
     expect(page.locator(".carts-teach-state")).to_have_text(KEPT)
     area.press("Control+End")
     page.keyboard.type("More.")
-    page.wait_for_timeout(500)
+    written(page, DRAFTS)
     page.reload()
     page.wait_for_selector(".carts-teach[data-state=unchecked]", timeout=WAIT)
     assert "An hour of work" in area.input_value()

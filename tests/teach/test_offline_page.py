@@ -87,6 +87,20 @@ PYTHON_KEPT = """async () => {
 }"""
 
 
+REFUSED = """async () => {
+    const site = await navigator.serviceWorker.ready;
+    await site.update().catch(() => {});
+    const coming = site.installing;
+    await new Promise((done) => {
+        const look = () => (!coming || coming.state === "redundant") && done();
+        coming?.addEventListener("statechange", look);
+        look();
+    });
+    if (site.waiting) throw new Error("it was taken");
+}"""
+"""A new version is looked for, and given up."""
+
+
 def kept(page: Page, address: str) -> None:
     page.goto(address)
     page.wait_for_selector("html[data-offline=ready]", timeout=WAIT)
@@ -125,27 +139,17 @@ def test_a_new_version_comes_whole_and_the_old_one_goes(www: Path, context: Brow
     publish(www / "school" / "physics", "second")
     page.evaluate("navigator.serviceWorker.ready.then((r) => r.update())")
     waiting = "navigator.serviceWorker.ready.then((r) => !!r.waiting)"
-    expect(page.locator("body")).to_be_visible()
-    for _ in range(100):
-        if page.evaluate(waiting):
-            break
-        page.wait_for_timeout(100)
-    assert page.evaluate(waiting)
+    page.wait_for_function(f"() => {waiting}", timeout=WAIT)
 
     other = context.new_page()  # while a page of the first version is open, the first goes on
     other.goto(f"{home}lessons/one.html")
-    other.wait_for_timeout(500)
     assert versions(other) == ("first", "first")
+    assert other.evaluate(waiting)
     page.close()
     other.goto(f"{home}lessons/one.html")
     expect(other).to_have_title("lessons/one.md second", timeout=WAIT)
     assert versions(other) == ("second", "second")
-    for _ in range(100):
-        names = other.evaluate("caches.keys()")
-        if len(names) == 1:
-            break
-        other.wait_for_timeout(100)
-    assert len(names) == 1
+    other.wait_for_function("async () => (await caches.keys()).length === 1", timeout=WAIT)
     server.off()
     other.goto(home)
     assert versions(other) == ("second", "second")
@@ -161,8 +165,7 @@ def test_a_version_that_cannot_be_had_whole_does_not_count(
     folder = www / "school" / "physics"
     publish(folder, "second")
     (folder / "assets" / "carts" / "part.js").write_text("half a fil")  # while it is being uploaded
-    page.evaluate("navigator.serviceWorker.ready.then((r) => r.update()).catch(() => {})")
-    page.wait_for_timeout(1500)
+    page.evaluate(REFUSED)
     page.goto(home)
     assert versions(page) == ("first", "first")
     server.off()
@@ -185,11 +188,7 @@ def test_a_page_out_of_the_site_and_a_switched_off_site_are_left_alone(
     page.evaluate(
         "navigator.serviceWorker.getRegistration().then((r) => r && r.update()).catch(() => {})"
     )
-    for _ in range(100):
-        if not page.evaluate("caches.keys()"):
-            break
-        page.wait_for_timeout(100)
-    assert page.evaluate("caches.keys()") == []
+    page.wait_for_function("async () => (await caches.keys()).length === 0", timeout=WAIT)
     page.goto(home)
     assert versions(page) == ("third", "third")
     server.off()

@@ -142,6 +142,12 @@ def test_a_lesson_of_each_kind_is_saved_as_it_is_on_disk_with_the_teachers_own_f
         assert saved(page) == path.read_bytes()
 
 
+FEW = ("map-with-mistakes", "measured-with-mistakes", "quiz-with-mistakes", "many-at-once",
+       "scene-file-with-a-mistake")  # fmt: skip
+"""What a page has other tools for: files, readings, banks. `test_preview.py` walks all of them with
+the same program outside of a page."""
+
+
 def test_an_authors_mistake_reads_in_the_page_as_in_carts_check(
     tmp_path: Path, chromium: NewPage
 ) -> None:
@@ -151,7 +157,7 @@ def test_an_authors_mistake_reads_in_the_page_as_in_carts_check(
     page.evaluate("() => window.booted")
     names = [p.relative_to(GOLDEN).as_posix() for p in GOLDEN.rglob("*") if p.is_file()]
     files = {n: (GOLDEN / n).read_text(encoding="utf-8") for n in names if n.endswith(".yml")}
-    for path in sorted(GOLDEN.glob("*.md")):
+    for path in (GOLDEN / f"{name}.md" for name in FEW):
         lesson = {"file": path.name, "scenes": ["scenes"], "banks": ["banks"], "names": names}
         request = {"kind": "teach", "do": "look", "text": path.read_text(encoding="utf-8")}
         request |= {"lesson": lesson, "files": files}

@@ -1,4 +1,4 @@
-"""A web server that keeps one file of a site back for a while."""
+"""A server that keeps one file of a site back for a while; a watchdog that looks when told."""
 
 from __future__ import annotations
 
@@ -8,6 +8,13 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+
+# The watchdog looks three seconds after the page began: here when a test says so.
+WHEN_TOLD = """const later = setTimeout;
+  window.setTimeout = (does, ms, ...more) => {
+    if (ms !== 3000 || window.watchdogLooks) return later(does, ms, ...more);
+    window.watchdogLooks = does;
+  };"""
 
 
 @contextmanager

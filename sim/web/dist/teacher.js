@@ -3725,6 +3725,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         if (control2.value !== row.field.value) return void this.#take(row);
         if (row.refused) this.#say(row, "");
         row.refused = false;
+        delete control2.dataset.waits;
       };
       const row = { control: control2, note, field, timer: 0, asked: 0, wrong: false, refused: false, take };
       if (before?.refused) {
@@ -3733,6 +3734,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         this.#say(row, before.note.textContent ?? "");
       }
       control2.addEventListener("input", () => {
+        control2.dataset.waits = "";
         clearTimeout(row.timer);
         row.timer = setTimeout(take, PAUSE);
       });
@@ -3744,6 +3746,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     }
     async #take(row) {
       row.asked += 1;
+      row.control.dataset.waits = "";
       try {
         const why = await this.set(row.field, row.control.value, row);
         row.refused = why !== "";
@@ -3753,6 +3756,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         this.#say(row, error.message);
       } finally {
         row.asked -= 1;
+        if (!row.asked && !row.timer) delete row.control.dataset.waits;
       }
     }
     #say({ control: control2, note }, text2) {

@@ -14,6 +14,7 @@ from tests.measured.devices import Motion, phone, sensor_carts
 from tests.measured.several_runs import below, beside
 from tests.web.conftest import SharePage
 from tests.web.figures.measured_bench import LIVE, STARTS, benches, choose, opened
+from tests.web.kept_store import MEASURED, written
 
 __all__ = ["benches"]  # a fixture
 
@@ -76,7 +77,7 @@ def test_of_several_runs_in_a_log_one_is_chosen(benches: Path, shared_page: Shar
     first = page.locator(".carts-measured-table table").text_content()
     run.select_option("2")
     expect(page.locator(".carts-measured-table table")).not_to_have_text(first or "")
-    page.wait_for_timeout(1_000)  # a busy disk keeps the first choice still
+    written(page, MEASURED)
     page.reload()
     expect(run).to_have_value("2", timeout=STARTS)  # kept with the readings
     table = page.locator(".carts-measured-table table")

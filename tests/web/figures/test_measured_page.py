@@ -13,6 +13,7 @@ from tests.measured.makers import as_text, film, truth
 from tests.web.classroom.class_site import CATCH, LAST
 from tests.web.conftest import OpenPage, SharePage
 from tests.web.figures.measured_bench import LIVE, STARTS, benches, choose, opened
+from tests.web.kept_store import MEASURED, written
 
 __all__ = ["benches"]  # a fixture
 
@@ -127,7 +128,7 @@ def test_a_model_set_by_hand_leaves_smaller_residuals_and_is_kept(
     page.keyboard.press("ArrowLeft")
     expect(page.locator("[data-hand=e] input[type=text]")).not_to_have_value("0.84")
     kept = page.locator("[data-hand=e] input[type=text]").input_value()
-    page.wait_for_timeout(300)
+    written(page, MEASURED)
     page.reload()
     expect(page.locator("[data-hand=e] input[type=text]")).to_have_value(kept, timeout=STARTS)
     page.locator(".carts-measured-scrub").focus()
@@ -180,7 +181,7 @@ def test_typed_readings_are_read_kept_and_their_mistakes_told_by_row(
     expect(page.locator(".carts-measured-model")).to_be_visible()
     page.locator(".carts-measured-paste summary").click()
     page.locator(".carts-measured-paste textarea").fill("half a text")
-    page.wait_for_timeout(300)
+    written(page, MEASURED)
     page.reload()
     expect(page.locator(".carts-measured-model")).to_be_visible(timeout=STARTS)
     expect(page.locator(".carts-measured-paste textarea")).to_have_value("half a text")

@@ -8,8 +8,9 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.web.conftest import OpenPage
+from tests.web.conftest import SharePage
 from tests.web.figures.measured_bench import LIVE, STARTS, benches
+from tests.web.kept_store import MEASURED, written
 
 __all__ = ["benches"]  # a fixture
 
@@ -55,11 +56,9 @@ def drag(page: Page, by: float) -> None:
 
 
 def test_a_boundary_is_dragged_moved_by_keys_kept_and_put_back(
-    benches: Path, open_page: OpenPage
+    benches: Path, shared_page: SharePage
 ) -> None:
-    page = open_page(benches / "film.html")
-    page.on("pageerror", lambda error: pytest.fail(str(error)))
-    page.set_viewport_size({"width": 360, "height": 800})
+    page = shared_page(benches / "film.html", window={"width": 360, "height": 800})
     expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
     expect(page.locator(".carts-measured-spans")).to_be_hidden()
     page.locator(".carts-measured-fit").click()
@@ -94,7 +93,7 @@ def test_a_boundary_is_dragged_moved_by_keys_kept_and_put_back(
     expect(edges.nth(0)).to_be_focused()
     kept = edges.nth(0).get_attribute("aria-valuenow")
 
-    page.wait_for_timeout(300)
+    written(page, MEASURED)
     page.reload()
     expect(edges).to_have_count(4, timeout=2 * STARTS)
     expect(edges.nth(0)).to_have_attribute("aria-valuenow", str(kept))
@@ -114,9 +113,9 @@ ACROSS = """() => {
 
 
 def test_the_strip_lies_over_the_readings_that_it_tells_of_on_wide_and_narrow_pages(
-    benches: Path, open_page: OpenPage
+    benches: Path, shared_page: SharePage
 ) -> None:
-    page = open_page(benches / "film.html")
+    page = shared_page(benches / "film.html")
     expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
     page.locator(".carts-measured-fit").click()
     expect(page.locator(EDGE)).to_have_count(4, timeout=2 * STARTS)

@@ -81,6 +81,7 @@ def lost_answers(
     for k, delay in enumerate((*delays, None)):
         with killed_page(driver, name, profile, file, delay) as page:
             box = ready(page).locator("#why textarea")
+            page.locator("#why[data-ready]").wait_for()
             try:
                 expect(box).to_have_value(written, timeout=3000)
             except AssertionError:

@@ -11,6 +11,7 @@ from playwright.sync_api import Page, expect
 
 from sim.pages.head.watchdog import watchdog
 from tests.web.conftest import OpenPage
+from tests.web.held_back import WHEN_TOLD
 from tests.web.site.pages_of import pages
 
 pytestmark = pytest.mark.browser
@@ -98,6 +99,9 @@ def test_every_page_is_watched(site: Path) -> None:
 
 
 def test_a_page_that_works_says_nothing(site: Path, open_page: OpenPage) -> None:
-    page = open_page(site / LESSON, folder=site)
-    page.wait_for_timeout(SOON + 500)
+    page = open_page(site / "index.html", folder=site)
+    page.add_init_script(WHEN_TOLD)
+    page.goto((site / LESSON).as_uri())
+    expect(page.locator("carts-question[data-ready]").first).to_be_attached()
+    page.evaluate("watchdogLooks()")
     expect(page.locator(".carts-watchdog")).to_have_count(0)

@@ -19,6 +19,7 @@ from tests.web.conftest import OpenPage
 from tests.web.question import question_site as question_pages
 from tests.web.question.question_site import question_site
 from tests.web.scene.given.widget_site import (
+    AT_REST,
     MEETING,
     QUESTIONS,
     in_node,
@@ -211,7 +212,7 @@ def test_a_page_from_right_to_left_keeps_the_track_and_its_room(
         - part.closest("svg").getBoundingClientRect().left))"""
     before = page.evaluate(places)
     page.evaluate("document.documentElement.dir = 'rtl'")
-    page.wait_for_timeout(200)
+    page.locator("#meeting").evaluate(AT_REST)
     assert page.evaluate(places) == before
     assert page.evaluate("document.documentElement.scrollWidth") <= width
     slider = page.locator(".carts-slider").first

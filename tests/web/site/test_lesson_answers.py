@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import re
-import time
-from collections.abc import Callable
+import threading
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Route, expect
+from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
+from tests.web.held_back import holding_back
 from tests.web.question.answering import continue_as, find, saved, saved_file
 from tests.web.question.question_site import ready
 from tests.web.scene.given.widget_site import lock
@@ -105,14 +105,18 @@ def test_under_a_code_word_a_second_prediction_says_that_the_run_was_seen(
 
 
 @pytest.mark.one_browser
-def test_a_page_whose_scripts_come_slowly_shows_no_prediction_of_another_question(
-    site: Path,
-    open_page: OpenPage,
-    site_server: Callable[[Path], str],
+def test_a_page_whose_scripts_with_slow_scripts_shows_no_prediction_of_another_question(
+    site: Path, open_page: OpenPage
 ) -> None:
     """A server answers files one by one: the store is read before the page is."""
     lesson = site / "worksheets" / "momentum-and-restitution.html"
-    page = ready(open_page(f"{site_server(site)}/worksheets/{lesson.name}"))
+    with holding_back(site, "/tour.js") as (address, go_on):
+        go_on.set()
+        _with_slow_scripts(open_page(f"{address}/worksheets/{lesson.name}"), lesson, go_on)
+
+
+def _with_slow_scripts(page: Page, lesson: Path, go_on: threading.Event) -> None:
+    ready(page)
     choice = page.locator("#momentum-stays .carts-predict [type=radio]").first
     choice.check()
     page.locator("#momentum-stays .carts-lock").click()
@@ -121,13 +125,10 @@ def test_a_page_whose_scripts_come_slowly_shows_no_prediction_of_another_questio
     changed = re.sub(r'("momentum-stays","hash":")\w{12}', r"\g<1>000000000000", text)
     assert changed != text  # as the page will be when the teacher has changed the question
 
-    def late(route: Route) -> None:
-        time.sleep(2)
-        route.continue_()
-
-    page.route("**/tour.js*", late)
     as_html = {"body": changed, "content_type": "text/html; charset=utf-8"}
     page.route(f"**/{lesson.name}", lambda route: route.fulfill(**as_html))
+    go_on.clear()
+    threading.Timer(2.0, go_on.set).start()
     page.reload()
     ready(page)
     expect(choice).to_be_enabled()

@@ -97,6 +97,7 @@ export class Fields {
       if (control.value !== row.field.value) return void this.#take(row);
       if (row.refused) this.#say(row, "");
       row.refused = false;
+      delete control.dataset.waits;
     };
     const row = { control, note, field, timer: 0, asked: 0, wrong: false, refused: false, take };
     if (before?.refused) {
@@ -105,6 +106,7 @@ export class Fields {
       this.#say(row, before.note.textContent ?? "");
     }
     control.addEventListener("input", () => {
+      control.dataset.waits = "";
       clearTimeout(row.timer);
       row.timer = setTimeout(take, PAUSE);
     });
@@ -115,9 +117,10 @@ export class Fields {
     return whole;
   }
 
-  /** @param {{control: any, note: HTMLElement, field: Field, asked: number, refused: boolean}} row */
+  /** @param {{control: any, note: HTMLElement, field: Field, timer: number, asked: number, refused: boolean}} row */
   async #take(row) {
     row.asked += 1;
+    row.control.dataset.waits = "";
     try {
       const why = await this.set(row.field, row.control.value, row);
       row.refused = why !== "";
@@ -127,6 +130,7 @@ export class Fields {
       this.#say(row, /** @type {Error} */ (error).message);
     } finally {
       row.asked -= 1;
+      if (!row.asked && !row.timer) delete row.control.dataset.waits;
     }
   }
 
