@@ -9,28 +9,23 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from sim.classroom.files.reading import Reading
-from sim.classroom.report.report import Asked, class_report
 from sim.classroom.show.class_csv import items_csv, students_csv
 from sim.classroom.show.report_page import report_html
 from sim.classroom.show.standalone import standalone
 from sim.cli import main
 from sim.cli.classroom.text import report_as_text
 from sim.pages.language import words
-from tests.classroom.given.everything import Blanked, a_class, left_in_english, texts_of
+from tests.classroom.given.everything import (
+    Blanked,
+    a_class,
+    left_in_english,
+    of_everything,
+    texts_of,
+)
 from tests.classroom.given.tables import csv, reported
-
-GROUPS = ("A", "B")
 
 
 @cache
-def report() -> dict[str, Any]:
-    reading = Reading.of(a_class())
-    files = [(read, GROUPS["B-" in read.name]) for read in reading.files]
-    asked = Asked(groups=GROUPS, classes={"A": 2, "B": 2}, now="2026-10-01T00:00:00Z")
-    return class_report(files, reading.keys, reading.refused, asked)
-
-
 def tables() -> list[dict[str, Any]]:
     wrong = [["A-9", "z", 2], ["", 3, 4], ["A-1", 5, 6], ["A-1", 7, 8]]
     rows = [[f"A-{k}", 8 + k % 5, 12 + k % 7] for k in range(12)]
@@ -41,22 +36,22 @@ def tables() -> list[dict[str, Any]]:
 
 
 def test_the_class_of_this_test_meets_every_part_of_a_report() -> None:
-    forms = [form for lesson in report()["lessons"] for form in lesson["forms"]]
+    forms = [form for lesson in of_everything()["lessons"] for form in lesson["forms"]]
     for part in ("beliefs", "talk", "predictions", "own_runs", "words", "sentences", "unread"):
         assert any(form[part] for form in forms), part
     assert any(item["tries"] for form in forms for item in form["items"])
     assert any(item["changed"] for form in forms for item in form["items"])
-    assert len({flag["code"] for flag in report()["flags"]}) >= 6
-    assert any(lesson["topics"] for lesson in report()["lessons"])
-    assert any(lesson["comparison"] for lesson in report()["lessons"])
-    assert len(report()["files"]["refused"]) == 3
+    assert len({flag["code"] for flag in of_everything()["flags"]}) >= 6
+    assert any(lesson["topics"] for lesson in of_everything()["lessons"])
+    assert any(lesson["comparison"] for lesson in of_everything()["lessons"])
+    assert len(of_everything()["files"]["refused"]) == 3
 
 
 @pytest.mark.parametrize("made", [report_html, report_as_text])
 def test_nothing_of_a_report_is_said_outside_the_catalogues(made: Any) -> None:
     """In a language of blanks only names are left, also inside of sentences."""
     blanked = Blanked()
-    for one in (report(), *tables()):
+    for one in (of_everything(), *tables()):
         told = "\n".join(texts_of(f">{made(one, blanked)}<"))
         assert left_in_english(told) == set()
 
@@ -66,7 +61,7 @@ def test_every_sentence_of_the_report_differs_from_the_english_one(language: str
     english, here = (
         {
             text
-            for text in texts_of(standalone([report()], words(one), one))
+            for text in texts_of(standalone([of_everything()], words(one), one))
             if left_in_english(text)
         }
         for one in ("en", language)
@@ -77,7 +72,7 @@ def test_every_sentence_of_the_report_differs_from_the_english_one(language: str
 
 def test_tables_of_a_spreadsheet_have_headings_in_the_language() -> None:
     for made in (students_csv, items_csv):
-        english, malay = (made(report(), words(one)).splitlines()[0] for one in ("en", "ms"))
+        english, malay = (made(of_everything(), words(one)).splitlines()[0] for one in ("en", "ms"))
         assert not {*english.split(",")} & {*malay.split(",")} - {'"item"'}
 
 

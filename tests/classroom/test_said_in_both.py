@@ -6,28 +6,17 @@ import re
 from html import unescape
 from typing import Any
 
-from sim.classroom.files.reading import Reading
-from sim.classroom.report.report import Asked, class_report
 from sim.classroom.report.sentences import FEW_QUESTIONS
 from sim.classroom.show.report_page import report_html
 from sim.cli.classroom.text import report_as_text
-from tests.classroom.given.everything import a_class
+from tests.classroom.given.everything import of_everything
 from tests.classroom.given.tables import csv, reported
-
-GROUPS = ("A", "B")
 
 
 def in_both(report: dict[str, Any]) -> list[str]:
     """The report as the page and as the terminal shows it, without marks and line breaks."""
     page = unescape(re.sub(r"<[^>]+>", " ", report_html(report)))
     return [" ".join(text.split()) for text in (page, report_as_text(report, {}))]
-
-
-def of_everything() -> dict[str, Any]:
-    reading = Reading.of(a_class())
-    files = [(read, GROUPS["B-" in read.name]) for read in reading.files]
-    asked = Asked(groups=GROUPS, classes={"A": 2, "B": 2}, now="2026-10-01T00:00:00Z")
-    return class_report(files, reading.keys, reading.refused, asked)
 
 
 def of_a_later_test(rows: int) -> dict[str, Any]:

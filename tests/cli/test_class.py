@@ -5,15 +5,14 @@ from __future__ import annotations
 import csv
 import json
 from pathlib import Path
-from typing import Any
 
 import pytest
-from click.testing import CliRunner, Result
 
 from sim.classroom.files.marks_file import marks_file
-from sim.cli import main
 from sim.lesson.handin import encode
 from tests.classroom.given.makers import bank, form, keys, random_class, sources, zipped
+from tests.cli.called import as_json
+from tests.cli.called import carts_class as carts
 
 BANK = bank(6, words=1)
 
@@ -26,17 +25,6 @@ def school(tmp_path: Path) -> Path:
             (tmp_path / folder / source.name).write_bytes(source.content)
     (tmp_path / "carts.key.json").write_text(keys(BANK), encoding="utf-8")
     return tmp_path
-
-
-def carts(*words: object) -> Result:
-    return CliRunner().invoke(main, ["class", *map(str, words)])
-
-
-def as_json(*words: object) -> dict[str, Any]:
-    result = carts(*words, "--json")
-    assert result.exit_code == 0, result.output
-    report: dict[str, Any] = json.loads(result.stdout)
-    return report
 
 
 def test_a_folder_is_analysed_and_marked_with_the_key(school: Path) -> None:

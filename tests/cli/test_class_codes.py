@@ -7,11 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from click.testing import CliRunner, Result
 
-from sim.cli import main
 from sim.lesson.handin import encode
 from tests.classroom.given.makers import bank, form, keys, random_class, sources
+from tests.cli.called import carts_class as carts
 
 BANK = bank(6)
 GROUPS = ("--group", "new=7a/*", "--group", "usual=7b/*")
@@ -31,10 +30,6 @@ def school(tmp_path: Path) -> Path:
                 (tmp_path / folder / source.name).write_bytes(source.content)
     (tmp_path / "key.json").write_text(keys(BANK), encoding="utf-8")
     return tmp_path
-
-
-def carts(*words: object) -> Result:
-    return CliRunner().invoke(main, ["class", *map(str, words)])
 
 
 def after(report: dict[str, Any]) -> dict[str, list[str]]:

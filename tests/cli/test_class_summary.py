@@ -7,10 +7,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from click.testing import CliRunner, Result
 
-from sim.cli import main
 from tests.classroom.given.makers import bank, keys, random_class, sources
+from tests.cli.called import carts_class as carts
 
 BANK = bank(6)
 
@@ -23,10 +22,6 @@ def schools(tmp_path: Path) -> Path:
             (tmp_path / name / source.name).write_bytes(source.content)
     (tmp_path / "key.json").write_text(keys(BANK), encoding="utf-8")
     return tmp_path
-
-
-def carts(*words: object) -> Result:
-    return CliRunner().invoke(main, ["class", *map(str, words)])
 
 
 def summaries(schools: Path, *more: str) -> list[Path]:

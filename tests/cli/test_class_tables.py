@@ -6,10 +6,11 @@ import json
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import CliRunner
 
 from sim.cli import main
 from tests.classroom.given.makers import bank, random_class, sources
+from tests.cli.called import carts_class as carts
 
 TABLE = "student,group,pre,post\n" + "\n".join(
     f"s{k},{'ab'[k % 2]},{k % 5},{2 + k % 7}" for k in range(16)
@@ -21,10 +22,6 @@ def marks(tmp_path: Path) -> Path:
     path = tmp_path / "mechanics.csv"
     path.write_text(TABLE, encoding="utf-8")
     return path
-
-
-def carts(*words: object) -> Result:
-    return CliRunner().invoke(main, ["class", *map(str, words)])
 
 
 def test_a_table_gives_the_report_of_a_lesson_with_its_name(marks: Path) -> None:

@@ -8,11 +8,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from click.testing import CliRunner, Result
 
-from sim.cli import main
 from sim.cli.measured.printed import strip
 from sim.measured.events.stretch import Segment
+from tests.cli.called import carts
 from tests.measured.devices import Motion, motion_capture, phone, tracker_project
 from tests.measured.force_sensors import sensors
 from tests.measured.makers import as_text, film, truth
@@ -25,10 +24,6 @@ def tracker(tmp_path: Path) -> Path:
     path = tmp_path / "carts.txt"
     path.write_text(as_text(film(MADE)).replace(".", ","), encoding="utf-8")
     return path
-
-
-def carts(*words: object, **more: Any) -> Result:
-    return CliRunner().invoke(main, [*map(str, words)], **more)
 
 
 def known(*words: object) -> dict[str, dict[str, Any]]:

@@ -9,13 +9,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import Result
 
-from sim.cli import main
-
-
-def carts(*words: object) -> Result:
-    return CliRunner().invoke(main, ["class", *map(str, words)])
+from tests.cli.called import carts_class as carts
 
 
 def school(folder: Path, name: str, step: int, *more: str, lesson: str = "force") -> Path:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from click.testing import CliRunner
 
-from sim.cli import main
+from tests.cli.called import carts
 
 COMMANDS = {
     "run": "a scene file",
@@ -22,10 +21,6 @@ COMMANDS = {
 @pytest.fixture(autouse=True)
 def _in_an_empty_folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-
-
-def carts(*arguments):
-    return CliRunner().invoke(main, arguments)
 
 
 @pytest.mark.parametrize("command", COMMANDS)

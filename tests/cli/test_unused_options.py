@@ -5,18 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner, Result
 
-from sim.cli import main
 from tests.classroom.given.makers import bank, keys, random_class, sources
+from tests.cli.called import carts
 
 BANK = bank(6)
 TOTALS = "student,pre (10),post (10)\n" + "\n".join(f"s{k},{k % 5},{k % 7}" for k in range(9))
 SCENE = "carts: {A: {mass: 1, position: 0.5}}\n"
-
-
-def carts(*words: object, **more: str) -> Result:
-    return CliRunner().invoke(main, [*map(str, words)], **more)  # type: ignore[arg-type]
 
 
 @pytest.fixture

@@ -4,13 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from click.testing import CliRunner, Result
-
-from sim.cli import main
-
-
-def carts(*words: object) -> Result:
-    return CliRunner().invoke(main, ["class", *map(str, words)])
+from tests.cli.called import carts_class as carts
 
 
 def table(school: Path, *words: object) -> Path:

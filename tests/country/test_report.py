@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -14,28 +13,15 @@ import pytest
 
 from sim.country.schema import LATER
 from sim.lesson.handin import encode
+from tests.classroom.given.class_reports import WHO, without
 from tests.classroom.given.makers import bank, form, keys
+from tests.cli.called import as_json as reported
 from tests.country.class_command import carts, table
 from tests.country.school import KEY, lay, school_files
 
 SMALL = bank(4)
-WHO = ("files", "flags", "students", "before", "after", "without_before", "without_after",
-       "of_another_text")  # fmt: skip
 NOT_IN_A_TABLE = ("words", "curves", "reasons", "comparisons", "clustered", "typed")
 """What is one student's, and what only reports on sums hold."""
-
-
-def reported(*words: object) -> dict[str, Any]:
-    result = carts(*words, "--json")
-    assert result.exit_code == 0, result.output
-    report: dict[str, Any] = json.loads(result.stdout)
-    return report
-
-
-def without(value: Any, names: Sequence[str]) -> Any:
-    if isinstance(value, dict):
-        return {k: without(v, names) for k, v in value.items() if k not in names}
-    return [without(one, names) for one in value] if isinstance(value, list) else value
 
 
 def numbers(report: dict[str, Any]) -> Any:

@@ -5,21 +5,17 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner, Result
 
-from sim.cli import doctor, main, starter_files
+from sim.cli import doctor, starter_files
 from sim.cli.site import pack
 from sim.pages.offline.files import listed
+from tests.cli.called import carts
 from tests.pages.given.small_site import CONFIG, MakeSite, lesson, make_site
 
 __all__ = ["make_site"]  # a fixture
 
 FOR_SERVERS = ("_headers", "_redirects", "_config.yml", "robots.txt", "CNAME")
 HIDDEN = (".DS_Store", "worksheets/.DS_Store", ".git/config", ".well-known/a/b.txt", ".nojekyll")
-
-
-def carts(*arguments: str) -> Result:
-    return CliRunner().invoke(main, arguments)
 
 
 @pytest.mark.parametrize("name", [*FOR_SERVERS, *HIDDEN])

@@ -4,16 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from sim.scene import SceneError, read_fence, read_scene
+from sim.scene import read_fence
 from tests import registry
+from tests.scene.refused import problems
 
 FENCE = {**registry.two_carts(), "id": "crash"}
-
-
-def problems(plain, read=read_scene):
-    with pytest.raises(SceneError) as caught:
-        read(plain)
-    return {(problem.where, problem.code) for problem in caught.value.problems}
 
 
 PUSH = {"push": {"cart": "A", "force": "1 N", "from": 0, "to": "1 s"}}

@@ -6,14 +6,9 @@ import pytest
 
 from sim.scene import SceneError, apply_changes, read_fence, read_scene
 from tests import registry
+from tests.scene.refused import problems
 
 GOOD = registry.two_carts()
-
-
-def problems(plain, read=read_scene):
-    with pytest.raises(SceneError) as caught:
-        read(plain)
-    return {(problem.where, problem.code) for problem in caught.value.problems}
 
 
 def test_defaults_are_those_of_the_interface():

@@ -5,16 +5,19 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable
+from functools import cache
 from html import unescape
 from typing import Any
 
-from sim.classroom.files.reading import Source
+from sim.classroom.files.reading import Reading, Source
+from sim.classroom.report.report import Asked, class_report
 from sim.lesson.bank import read_bank
 from sim.lesson.key_file import key_file
 from sim.pages.language import words
 from sim.scene.said import RULE
 from tests.classroom.given.makers import TIME, answers, bank, keys, random_class, sources
 
+GROUPS = ("A", "B")
 BANK = bank(10, words=2, topics=("t1", "t2"))
 DAY = TIME.format(day=1, minute=0, second=0)
 LESSON = read_bank({
@@ -121,3 +124,12 @@ def texts_of(html: str) -> list[str]:
     body = re.sub(r"<style.*?</style>", "", html, flags=re.DOTALL)
     labels = re.findall(r'aria-label="([^"]*)"', body)
     return [unescape(text).strip() for text in [*re.findall(r">([^<]+)<", body), *labels]]
+
+
+@cache
+def of_everything() -> dict[str, Any]:
+    """The report on that class."""
+    reading = Reading.of(a_class())
+    files = [(read, GROUPS["B-" in read.name]) for read in reading.files]
+    asked = Asked(groups=GROUPS, classes={"A": 2, "B": 2}, now="2026-10-01T00:00:00Z")
+    return class_report(files, reading.keys, reading.refused, asked)

@@ -18,6 +18,7 @@ from sim.classroom.summary.merge import merged
 from sim.classroom.summary.reading import read_summary
 from sim.classroom.summary.written import summary_file
 from sim.cli.classroom.summary import lessons_of_answers
+from tests.classroom.given.class_reports import WHO, without
 from tests.classroom.given.makers import bank, keys, random_class, sources
 from tests.classroom.given.school_summaries import (
     HEAD,
@@ -53,17 +54,6 @@ def test_added_summaries_are_all_marks_at_once_in_any_order(
     half = len(parts) // 2
     steps = [merged([("", part) for part in some])[0] for some in (parts[:half], parts[half:])]
     assert bits(report_of([through_a_file(one) for one in steps])) == bits(whole)
-
-
-def without(value: Any, names: Sequence[str]) -> Any:
-    """A report without the parts that tell who it is, or what else was in the files."""
-    if isinstance(value, dict):
-        return {k: without(v, names) for k, v in value.items() if k not in names}
-    return [without(one, names) for one in value] if isinstance(value, list) else value
-
-
-WHO = ("files", "flags", "students", "before", "after", "without_before", "without_after",
-       "of_another_text")  # fmt: skip
 
 
 def test_the_report_of_a_table_and_that_of_its_summaries_have_the_same_numbers() -> None:

@@ -14,7 +14,6 @@ import pytest
 from click.testing import CliRunner
 
 from sim.cli import main
-from sim.lesson.bank import Bank
 from sim.pages.classroom.gift import gift
 from sim.pages.classroom.losses import losses
 from sim.pages.classroom.moodle import moodle_xml, plain_text
@@ -22,17 +21,11 @@ from sim.pages.classroom.portable import Portable, portable
 from sim.pages.question.key_page import lesson_key
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.text.lesson_places import described
+from tests.pages.given.banks import OWN, read
 from tests.pages.given.exported import facts, from_gift, from_moodle
 
 ROOT = Path(__file__).parents[3]
 GOLDEN = ROOT / "tests" / "golden" / "exports"
-OWN = ROOT / "worksheets" / "banks" / "forces-and-motion.yml"
-
-
-def read(path: Path) -> Bank:
-    bank, findings = read_bank_text(path.read_text(encoding="utf-8"), path.name)
-    assert bank is not None, findings
-    return bank
 
 
 BANKS = {"every-kind": read(GOLDEN / "every-kind.yml"), "own": read(OWN)}

@@ -25,19 +25,12 @@ from sim.pages.classroom.moodle import moodle_xml
 from sim.pages.classroom.portable import Portable, portable
 from sim.pages.classroom.qti.package import qti_package
 from sim.pages.classroom.qti.xhtml import blocks, flow
-from sim.pages.question.quiz import read_bank_text
+from tests.pages.given.banks import OWN, read
 from tests.pages.given.qti_platform import Platform
 from tests.pages.given.qti_rules import ITEM, LANG, NAME, PACKAGE, local, mistakes
 
 ROOT = Path(__file__).parents[3]
 GOLDEN = ROOT / "tests" / "golden" / "exports" / "every-kind.yml"
-OWN = ROOT / "worksheets" / "banks" / "forces-and-motion.yml"
-
-
-def read(path: Path) -> Bank:
-    bank, findings = read_bank_text(path.read_text(encoding="utf-8"), path.name)
-    assert bank is not None, findings
-    return bank
 
 
 def more() -> Bank:
