@@ -43,13 +43,13 @@ def follow(guide: Path, installed: Installed, folder: Path) -> Path:
     return folder
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")  # else made anew for the second browser, long after the first
 def taught(installed: Installed, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The site of a teacher who followed the guide in an empty folder."""
     return follow(TEACHER, installed, tmp_path_factory.mktemp("teacher"))
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def given(taught: Path, installed: Installed) -> Path:
     """The zip that the administrator gets, and finds to be what the teacher built."""
     build = follow(HOST, installed, taught) / "build"

@@ -30,6 +30,7 @@ def test_a_law_that_takes_too_long_is_ended_and_told_and_the_text_stays(
     open_page: OpenPage, bench: Path
 ) -> None:
     page = opened(open_page, bench)
+    page.evaluate(hurried(3))  # nobody needs to wait for all of its seconds
     write(page, SLOW)
     press(page, "Judge")
     expect(page.locator(".carts-law-fault")).to_contain_text("was ended")

@@ -150,9 +150,9 @@ def test_two_files_at_most_are_under_way(open_page: OpenPage, network: Network) 
 def test_a_slow_network_is_told_and_waited_for(
     open_page: OpenPage, network: Network, boot_site: Path
 ) -> None:
-    (boot_site / "patience.js").write_text("window.bootPatience = 4;\n", encoding="utf-8")
+    (boot_site / "patience.js").write_text(f"{HURRIED}window.bootPatience = 4;\n", encoding="utf-8")
     write_page(boot_site, name="patient.html", before=PATIENCE)
-    network.held = "pyodide.asm.wasm"
+    network.held, network.seconds = "pyodide.asm.wasm", HELD / HURRY
     page = open_page(f"{network.address}/patient.html")
     result = booted(page)
     assert result.get("start") == "snapshot", result
@@ -185,9 +185,14 @@ def test_what_lies_in_the_browser_itself_is_no_matter_of_the_network(
 def test_a_scene_says_that_the_network_is_slow_until_python_is_there(
     open_page: OpenPage, widget_site: Path
 ) -> None:
+    text = (widget_site / "coasting.html").read_text(encoding="utf-8")
+    hurried = text.replace('<link rel="stylesheet"', f'{PATIENCE}<link rel="stylesheet"', 1)
+    assert hurried != text
+    (widget_site / "hurried.html").write_text(hurried, encoding="utf-8")
+    (widget_site / "patience.js").write_text(HURRIED, encoding="utf-8")
     with serving(widget_site) as network:
-        network.held = "memory.snapshot"
-        page = open_page(f"{network.address}/coasting.html")
+        network.held, network.seconds = "memory.snapshot", HELD / HURRY
+        page = open_page(f"{network.address}/hurried.html")
         note = page.locator("#coasting .carts-note")
         expect(note).to_contain_text("The network is slow")
         expect(page.locator("#coasting")).to_have_attribute("data-state", "live", timeout=LIVE)
