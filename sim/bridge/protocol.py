@@ -55,6 +55,10 @@ OTHERS = {
 """Module of each other kind of request; it holds a function KIND_answer. The last six are in
 packages of their own, which only the pages load that ask for them."""
 
+OF_RUNS = ("map", "cost", "how", "hard", "worlds", "law")
+"""Kinds that run what a reader has set: numbers beyond all bounds are its doing there, and no fault
+of ours."""
+
 Answer = tuple[dict[str, Any], "array[float]"]
 
 
@@ -99,8 +103,8 @@ def plain_of(request: Mapping[str, Any]) -> dict[str, Any]:
 
 def _other(request: Mapping[str, Any]) -> Answer:
     """What is loaded only where it is asked for."""
+    kind = str(request.get("kind"))
     try:
-        kind = str(request.get("kind"))
         asked = getattr(import_module(OTHERS[kind]), f"{kind}_answer")
         header, numbers = asked(request)
     except SceneError as error:
@@ -109,7 +113,7 @@ def _other(request: Mapping[str, Any]) -> Answer:
         problem = Problem((), "unsolved", error.message, error.hint)
         return refusal(request.get("id"), [problem])
     except (ArithmeticError, ValueError) as error:
-        if not is_of_the_numbers(error):
+        if kind not in OF_RUNS or not is_of_the_numbers(error):
             raise
         return refusal(request.get("id"), [_beyond(stepped="method" in request)])
     return {"id": request.get("id"), "ok": True, **header}, numbers

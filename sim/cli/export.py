@@ -20,9 +20,11 @@ from sim.pages.classroom.qti.package import qti_package
 from sim.pages.classroom.qti.pictures import pictures_of
 from sim.pages.findings import AuthorError
 from sim.pages.language import ENGLISH, speaking, words
+from sim.pages.language.catalogue import of_page
 from sim.pages.question.of_lesson import lesson_asks
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.text.author_text import author_text
+from sim.pages.text.front_matter import stated_language
 from sim.pages.translate.catalogues import OTHERS
 from sim.pages.translate.in_languages import in_languages
 
@@ -35,13 +37,15 @@ WRITERS: dict[str, Callable[[str, Sequence[Portable]], str]] = {
 
 @dataclass(frozen=True, slots=True)
 class _Asked:
-    """What a file asks: `forms` by name, each with its questions; `stays`: what cannot go along."""
+    """What a file asks: `forms` by name, each with its questions; `stays`: what cannot go along;
+    `language`: "" where nothing says it."""
 
     title: str
     questions: Mapping[str, Question]
     forms: Mapping[str, Iterable[str]]
     about: Mapping[str, str] = field(default_factory=dict)
     stays: tuple[str, ...] = ()
+    language: str = ""
 
 
 @click.command("export")
@@ -105,9 +109,8 @@ def command(
     # a bank lies in a folder beside the lessons that show its questions
     shown_from = path.parent if path.suffix == ".md" else path.parent.parent
     pictures = pictures_of(shown_from, Path.cwd())
-    spoken = language or ENGLISH
     made = (
-        qti_package(asked.title, taken, pictures, name=name, language=spoken)
+        qti_package(asked.title, taken, pictures, name=name, language=asked.language)
         if target == "qti"
         else WRITERS[target](asked.title, taken)
     )
@@ -132,8 +135,10 @@ def _of_lesson(path: Path, language: str | None) -> _Asked:
     if found is None:
         raise click.UsageError(f"{path.name} is not translated: no catalogue in “{language}”")
     asks = lesson_asks(*found)
+    text, lesson = found
+    spoken = language or of_page(stated_language(text) or None, lesson.file, ENGLISH)
     questions = {q.id: q for part in asks.parts.values() for q in part}
     forms = {name: [q.id for q in part] for name, part in asks.parts.items()}
     stays = tuple(f"{scene}: what is predicted before its run stays here"
                   for scene in asks.predicted)  # fmt: skip
-    return _Asked(asks.title or path.stem, questions, forms, asks.about, stays)
+    return _Asked(asks.title or path.stem, questions, forms, asks.about, stays, spoken)

@@ -68,7 +68,7 @@ def test_who_had_seen_the_run_has_not_predicted_it() -> None:
     assert (row["n"], row["again"], row["locked"]) == (4, 1, 4)
     assert [one["count"] for one in row["answers"]] == [3, 1]
     assert row["reasons"][-1]["why"] == "I saw it"  # a reason is one, whenever it was found
-    told = "1 more was made again by a student who had seen the run; it is not counted."
+    told = "1 was made again by a student who had seen the run; it is not counted."
     assert f"4 predictions. {told}" in report_html(report)
     assert told in report_as_text(report, {})
     (alone,) = report_of([worksheet("OWL-2", [again])])["lessons"][0]["forms"][0]["predictions"]

@@ -121,8 +121,17 @@ def test_a_lesson_that_no_key_has_is_refused_and_no_part_of_the_code_word(
     read, (refused,) = read_codes(line + code, [once, replace(once, lesson="carts-again")])
     assert not read
     assert (
-        refused.reason == f"there is no key for a lesson “{named}”, only for carts or carts-again"
+        refused.reason == f"there is no key for a lesson “{named}”, only for carts or carts-again; "
+        "a comma ends the code word"
     )
+
+
+@pytest.mark.parametrize("line", ["carts pre ", "carts, pre, ", "Carts "])
+def test_a_lesson_alone_is_no_student(line: str) -> None:
+    code = encode([4] * 10, [1] * 10, f"pre:{form('pre', BANK).hash}")
+    read, (refused,) = read_codes(line + code, read_key_file(keys(BANK, ["pre"])))
+    assert not read
+    assert "code word is missing" in refused.reason
 
 
 def test_two_lines_of_one_student_can_be_told_apart() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import pytest
 
@@ -107,6 +108,21 @@ def test_the_run_does_not_depend_on_what_is_kept_of_it():
     full, bare = run(scene), run(scene, keep_events=False, keep_motion=False)
     assert (full.x, full.v) == (bare.x, bare.v)
     assert full.record.counts == bare.record.counts
+
+
+@pytest.mark.parametrize("until", [0.42, 0.50, 0.60, 2.0])
+@pytest.mark.parametrize("push", [(), ({"push": {"cart": "A", "force": 0.5, "until": 0.5}},)])
+def test_a_force_that_grows_as_the_run_ends_is_no_peak_whatever_is_kept(
+    until: float, push: tuple[dict[str, Any], ...]
+) -> None:
+    plain = {
+        "carts": {"A": {"mass": 1, "position": 0.4, "velocity": 1.0, "length": 0.2},
+                  "B": {"mass": 1, "position": 1.0, "length": 0.2}},
+        "contact": {"restitution": 0.9, "stiffness": 50},
+        "effects": push, "until": until,
+    }  # fmt: skip
+    full, bare = (run(read_scene(plain), keep_events=keep) for keep in (True, False))
+    assert full.record.counts["peak"] == bare.record.counts["peak"] == (until > 0.56)
 
 
 def test_a_run_with_too_many_events_says_so_and_what_to_change():

@@ -49,7 +49,16 @@ FOLLOW = 'ask({ id: 2, do: "follow", time: 0, clicks: [{ x: 1, y: 1 }, { x: 3, y
 
 @pytest.mark.parametrize(
     ("begin", "step", "shown"),
-    [(0.04, 1, 0.05), (0.04, -1, 0.0), (0.1, 1, 2.0), (2.0, -1, 0.1), (0.0, -1, 0.0), (2, 1, 2)],
+    [
+        (0.04, 1, 0.05),
+        (0.04, -1, 0.0),
+        (0.1, 1, 2.0),
+        (2.0, -1, 0.1),
+        (0.0, -1, 0.0),
+        (2, 1, 2),
+        (0.0, 3, 0.1),
+        (2.0, -2, 0.05),
+    ],
 )
 def test_the_frame_beside_another_is_the_next_one_of_the_file(
     begin: float, step: int, shown: float

@@ -24,7 +24,7 @@ _CODE = re.compile(r"[0-9A-Za-z]{4}([- ]?[0-9A-Za-z]{4}){2}\s*$")
 _BETWEEN = re.compile("[,;]")
 MOST_LINES = 2000
 ALIKE = 0.8
-"""Of the letters of a word and a lesson: then it was meant. A slip of the pen is; a name is not."""
+"""A last word this much like the name of a lesson is taken for a misspelt one."""
 
 
 def read_codes(
@@ -107,6 +107,8 @@ def _who(text: str, lessons: Sequence[str]) -> tuple[str, str, str] | str:
     if not words:
         return template("the student's code word is missing in front of the code")
     before = " ".join(words)
+    if before.lower() in map(str.lower, lessons):
+        return template("the student's code word is missing in front of the code")
     for lesson in sorted(set(lessons), key=len, reverse=True):
         if before.lower().endswith(f" {lesson.lower()}"):
             return before[: -len(lesson) - 1], lesson, form
@@ -117,7 +119,7 @@ def _who(text: str, lessons: Sequence[str]) -> tuple[str, str, str] | str:
         return before, "", form
     known = listed_or(sorted(set(lessons)))
     return said(
-        "there is no key for a lesson “{name}”, only for {lessons}",
+        "there is no key for a lesson “{name}”, only for {lessons}; a comma ends the code word",
         name=shown(" ".join(apart))[:60], lessons=known,
     )  # fmt: skip
 

@@ -64,7 +64,7 @@ def again_sentence(row: Row) -> str:
     if not row["again"]:
         return ""
     return counted(
-        "1 more was made again by a student who had seen the run; it is not counted.",
-        "{n} more were made again by students who had seen the run; they are not counted.",
+        "1 was made again by a student who had seen the run; it is not counted.",
+        "{n} were made again by students who had seen the run; they are not counted.",
         n=row["again"],
     )

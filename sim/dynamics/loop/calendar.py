@@ -36,8 +36,8 @@ class Calendar:
         else:
             gap.due = UNSEEN
 
-    def parted(self, gap: Gap) -> None:
-        """The two fly apart: nothing is foreseen."""
+    def unforeseen(self, gap: Gap) -> None:
+        """Nothing is foreseen for the gap, nor what was."""
         gap.turn += 1
         gap.due = UNSEEN
 

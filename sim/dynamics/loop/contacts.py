@@ -136,7 +136,7 @@ def tell_peak(gap: Gap, record: Record, end: Time | None = None, instant: float 
     still grew within its last `instant` [s] has had none."""
     touching = gap.touching
     assert touching is not None
-    if not record.keep_events:
+    if end is None and not record.keep_events:
         record.counts["peak"] += 1
         return
     peak = touching.peak

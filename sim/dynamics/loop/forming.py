@@ -83,8 +83,8 @@ class Forming:
             self.solvers[solver.name] += 1
             if solver.tier > 1:
                 self.steps += 1
-            if solver.members and not ready:  # nor does the end of what moved it before come
-                self.calendar.parted(solver.members[0])
+            if solver.members and not ready:  # an end foreseen for what moved it before is void too
+                self.calendar.unforeseen(solver.members[0])
             elif solver.members:
                 self.calendar.gap(solver.members[0], now, solver.duration)
             elif ready:

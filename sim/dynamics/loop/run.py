@@ -193,7 +193,7 @@ def _result(sim: Simulation, end: Time, *, stopped: Stopped | None) -> Run:
     a = last_accelerations(bodies, len(scene.carts), end)
     touching = [gap for gap in sim.chain.gaps if gap is not None and gap.solver is not None]
     if touching or sim.forces is not None:
-        synchronise.settle(bodies, touching, end, record, ledger)
+        synchronise.settle(bodies, touching, end, record, ledger, peaks=True)
     else:
         for body in bodies:
             body.x += body.v * elapsed(body.time, end)

@@ -105,7 +105,7 @@ class Simulation(Forming):
         place(gap.left, now)
         place(gap.right, now)
         self.strikes.alone(gap, now)
-        self.calendar.parted(gap)
+        self.calendar.unforeseen(gap)
         self.predictions.around(gap, now)
 
     def strike_first(self, gap: Gap, now: Time) -> None:

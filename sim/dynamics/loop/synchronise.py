@@ -44,10 +44,19 @@ def components(
     return list(row), gaps
 
 
-def settle(bodies: list[Body], gaps: list[Gap], now: Time, record: Record, ledger: Ledger) -> None:
+def settle(
+    bodies: list[Body],
+    gaps: list[Gap],
+    now: Time,
+    record: Record,
+    ledger: Ledger,
+    *,
+    peaks: bool = False,
+) -> None:
     """Bring these bodies and the gaps between them to `now`; afterwards nothing moves them.
 
-    The gaps go on touching. `bodies` are whole components, walls left out.
+    The gaps go on touching. `bodies` are whole components, walls left out; `peaks`: greatest forces
+    are asked for also where no event is kept.
     """
     for body in bodies:
         if body.motion is not None and body.motion.tier > TIER_OF_SERIES:
@@ -68,7 +77,7 @@ def settle(bodies: list[Body], gaps: list[Gap], now: Time, record: Record, ledge
         t = elapsed(motion.begun, now)
         motion.book(ledger, t)
         for gap, part in zip(
-            motion.members, motion.parts(t, peaks=record.keep_events), strict=True
+            motion.members, motion.parts(t, peaks=peaks or record.keep_events), strict=True
         ):
             _settle_gap(motion, gap, part, now, record, ledger)
         record.finished(motion, now[0])

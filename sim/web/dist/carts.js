@@ -5251,7 +5251,8 @@
       await this.#kept.forget();
       if (!again || !await this.#kept.named()) return;
       const nothing = { value: null, first: null, last: null, tries: 0, locked: null };
-      await this.#kept.put({ id, type, ...nothing, again });
+      await this.#kept.put({ id, type, ...nothing, again }).catch(() => {
+      });
     }
   };
 

@@ -176,7 +176,6 @@
       this.codes[group] = text;
     }
     marksFile() {
-      this.unfiled = false;
       const rows = [...this.marks.values()].map((mark) => ({
         ...mark,
         student: codeWord(mark.student)
@@ -799,6 +798,7 @@
       tr("Save marks"),
       () => {
         download("class.marks.json", element.classroom.marksFile(), "application/json");
+        element.classroom.unfiled = false;
         say2(
           tr("Saved as {name}. Drop it here with the files next time.", { name: "class.marks.json" })
         );

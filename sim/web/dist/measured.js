@@ -307,7 +307,7 @@
   // src/measured/hands.js
   var FASTER = 1.5;
   var RATIO = [0.1, 10];
-  var LIMITS = { e: [0, 1, ""], ratio: [1e-3, 1e3, ""], duration: [1e-4, 1e3, "s"] };
+  var LIMITS = { e: [0, 1], ratio: [1e-3, 1e3] };
   var LONGEST2 = 0.4;
   var Hands = class {
     constructor(root, changed) {
@@ -386,10 +386,11 @@
     }
   };
   function problem({ key, box, label }) {
-    const [low, high, unit] = LIMITS[key] ?? [-Infinity, Infinity, ""];
+    if (key === "duration") return unlessPositive(box, ifTyped(box));
+    const [low, high] = LIMITS[key] ?? [-Infinity, Infinity];
     const value = numberIn(box);
     if (value === null || value >= low && value <= high) return ifTyped(box);
-    return outside({ label: label.textContent ?? "", unit }, String(low), String(high));
+    return outside({ label: label.textContent ?? "", unit: "" }, String(low), String(high));
   }
   var taken = (row) => problem(row) ? null : numberIn(row.box);
   function put2(box, value) {

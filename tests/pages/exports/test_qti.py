@@ -199,6 +199,32 @@ def test_a_package_says_its_language_and_has_a_name_of_its_own() -> None:
     assert "carts-newtons-third-law-ta" in names
 
 
+@pytest.mark.parametrize(
+    ("path", "head", "language"),
+    [
+        ("worksheets/a.md", "", "en"),
+        ("worksheets/ta/a.md", "", "ta"),
+        ("worksheets/a.md", "---\nlanguage: ms\n---\n", "ms"),
+        ("worksheets/banks/a.yml", "", None),
+    ],
+)
+def test_a_package_speaks_the_language_of_its_page_and_a_bank_says_none(
+    path: str, head: str, language: str | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = "id: a\ntype: single\nask: Q?\noptions: [{text: x, correct: true}, y]\n"
+    of_bank = f"title: T\nitems:\n  - {asked.strip().replace(chr(10), chr(10) + '    ')}\n"
+    file = tmp_path / path
+    file.parent.mkdir(parents=True)
+    lesson = f"{head}# T\n\n```question\n{asked}```\n"
+    file.write_text(of_bank if path.endswith("yml") else lesson, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    result = CliRunner().invoke(main, ["export", path, "--to", "qti", "--out", "a.zip"])
+    assert result.exit_code == 0, result.output
+    with zipfile.ZipFile("a.zip") as archive:
+        item = ElementTree.fromstring(archive.read("items/a.xml"))
+    assert item.get(LANG) == language
+
+
 def test_equal_banks_give_equal_packages(tmp_path: Path) -> None:
     for name in ("a.zip", "b.zip"):
         words = ["export", str(OWN), "--to", "qti", "--out", str(tmp_path / name)]

@@ -65,7 +65,7 @@ give([told, setup.ruler?.length ?? null, setup.slower]);
         ("e", "", 1, ""),
         ("e", "1,5", 1, "bounciness e: 0 to 1, please."),
         ("ratio", "-2", 2, "0.001 to 1000, please."),
-        ("duration", "0", 0.1, "0.0001 to 1000 s, please."),
+        ("duration", "0", 0.1, "A number above 0, please."),
         ("touch", "-3", -3, ""),
     ],
 )

@@ -68,9 +68,8 @@ def watched(shared_page: SharePage, widget_site: Path) -> Page:
 
 @pytest.mark.one_browser
 def test_before_it_is_played_the_page_holds_the_start_alone(watched: Page) -> None:
-    watched.locator("#watched").evaluate(
-        AT_REST
-    )  # tables are filled a while after the run is there
+    # Tables are filled a while after the run is there.
+    watched.locator("#watched").evaluate(AT_REST)
     watched.evaluate("dispatchEvent(new Event('beforeprint'))")
     seen = told(watched)
     assert (seen["events"], seen["bands"], seen["marks"], seen["model"]) == (0, 0, 0, 0)

@@ -105,7 +105,7 @@ def test_under_a_code_word_a_second_prediction_says_that_the_run_was_seen(
 
 
 @pytest.mark.one_browser
-def test_a_page_whose_scripts_with_slow_scripts_shows_no_prediction_of_another_question(
+def test_a_page_whose_scripts_come_slowly_shows_no_prediction_of_another_question(
     site: Path, open_page: OpenPage
 ) -> None:
     """A server answers files one by one: the store is read before the page is."""

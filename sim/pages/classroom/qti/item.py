@@ -21,12 +21,13 @@ RESPONSES = {
 
 
 def qti_item(q: Portable, language: str) -> str:
-    """The file of an item; a screen reader speaks it in `language`."""
+    """The file of an item; a screen reader speaks it in `language`, where that is known."""
+    spoken = f' xml:lang="{language}"' if language else ""
     made = processing(q)
     return "\n".join([
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<qti-assessment-item {HEAD} identifier={xml_attribute(q.id)} '
-        f'title={xml_attribute(q.id)} xml:lang="{language}" adaptive="false" '
+        f'title={xml_attribute(q.id)}{spoken} adaptive="false" '
         'time-dependent="false">',
         _response(q),
         *_outcomes(q, made.feedback),

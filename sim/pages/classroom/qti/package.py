@@ -11,7 +11,6 @@ from sim.pages.classroom.portable import Portable
 from sim.pages.classroom.qti.item import HEAD, INSTANCE, NAMESPACE, SCHEMA, qti_item
 from sim.pages.classroom.qti.pictures import Packed, Pictures, no_pictures
 from sim.pages.classroom.qti.xhtml import xml_attribute, xml_text
-from sim.pages.language.catalogue import ENGLISH
 
 PACKAGE = "http://www.imsglobal.org/xsd/qti/qtiv3p0/imscp_v1p1"
 PACKAGE_SCHEMA = "https://purl.imsglobal.org/spec/qti/v3p0/schema/xsd/imsqtiv3p0_imscpv1p2_v1p0.xsd"
@@ -28,9 +27,10 @@ def qti_package(
     pictures: Pictures = no_pictures,
     *,
     name: str,
-    language: str = ENGLISH,
+    language: str = "",
 ) -> bytes:
-    """The zip; `title` names the test for people, `name` for programs; `language`: ISO 639."""
+    """The zip; `title` names the test for people, `name` for programs; `language`: as in
+    `xml:lang`, where it is known."""
     items = list(questions)
     packed = Packed(pictures)
     made = {q.id: packed.item(qti_item(q, language)) for q in items}
@@ -103,7 +103,7 @@ def _manifest(
         "<schema>QTI Package</schema>",
         "<schemaversion>3.0.0</schemaversion>",
         _lom(f"<imsmd:title><imsmd:string>{xml_text(title)}</imsmd:string></imsmd:title>"
-             f"<imsmd:language>{language}</imsmd:language>"),
+             + (f"<imsmd:language>{language}</imsmd:language>" if language else "")),
         "</metadata>",
         "<organizations/>",
         "<resources>",

@@ -153,9 +153,8 @@ export class Classroom {
     this.codes[group] = text;
   }
 
-  /** @returns {string} the text of a file with the teacher's marks, for a file to be saved */
+  /** @returns {string} the text of a file with the teacher's marks */
   marksFile() {
-    this.unfiled = false;
     const rows = [...this.marks.values()].map((mark) => ({
       ...mark,
       student: codeWord(mark.student),

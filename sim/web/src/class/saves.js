@@ -28,6 +28,7 @@ export function actions({ element, report, ask, say, clear }) {
     tr("Save marks"),
     () => {
       download("class.marks.json", element.classroom.marksFile(), "application/json");
+      element.classroom.unfiled = false;
       say(
         tr("Saved as {name}. Drop it here with the files next time.", { name: "class.marks.json" }),
       );

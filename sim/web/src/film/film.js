@@ -69,13 +69,15 @@ export class Film {
     return this.sink.samples(time);
   }
 
-  /** The frame that is shown at this time, or the one beside it; it is closed with the next one. @param {number} time s @param {number} step 1: the one after it, −1: before it @returns {Promise<Sample>} */
+  /** The frame that is shown at this time, or one beside it; it is closed with the next one. @param {number} time s @param {number} step so many after it, or before it @returns {Promise<Sample>} */
   async at(time, step = 0) {
     try {
-      const here = await this.#at(time);
-      if (!step) return here;
-      const { timestamp } = here;
-      return await this.#at(step < 0 ? timestamp - TINY : (this.#next?.timestamp ?? timestamp));
+      let found = await this.#at(time);
+      for (let left = Math.abs(step); left; left -= 1) {
+        const { timestamp } = found;
+        found = await this.#at(step < 0 ? timestamp - TINY : (this.#next?.timestamp ?? timestamp));
+      }
+      return found;
     } catch (error) {
       await this.#leave().catch(() => {}); // the next frame is looked for anew
       throw error;

@@ -19,9 +19,14 @@ export class Frames {
     return this.#go({ time, step: 0 });
   }
 
-  /** The frame beside the one that is shown. @param {number} step 1: after it, −1: before it */
+  /** The frame beside the one that is shown, or that is wished for. @param {number} step 1: after it, −1: before it */
   beside(step) {
-    return this.#go({ step });
+    return this.#go({ ...this.#wish, step: (this.#wish?.step ?? 0) + step });
+  }
+
+  /** Whether another frame is on its way. */
+  get coming() {
+    return this.#running !== null;
   }
 
   /** Whether the frame that comes is not the one that is wished for any more. */

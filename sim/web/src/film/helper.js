@@ -26,7 +26,7 @@ export class Helper {
     this.worker.onerror = (event) => {
       event.preventDefault();
       for (const { reject } of this.#asked.values()) {
-        reject({ code: "broken", detail: event.message });
+        reject({ code: "lost", detail: event.message });
       }
       this.#asked.clear();
     };

@@ -18,7 +18,8 @@ export class Scrub {
     this.slider.addEventListener("input", () => moved(0));
     this.slider.addEventListener("keydown", (event) => {
       const step = STEPS[event.key];
-      if (!step) return; // Home, End and whole pages are the slider's own
+      const { altKey, ctrlKey, metaKey } = event;
+      if (!step || altKey || ctrlKey || metaKey) return; // Home, End and whole pages are the slider's own
       event.preventDefault();
       moved(step);
     });

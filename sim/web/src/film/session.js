@@ -1,8 +1,10 @@
 /** From a film to readings: open it, set marks and ruler, follow, mend, read; then the model is laid over it. */
 
+import { joined } from "../../../view/language.js";
 import { fixed } from "../../../view/numbers.js";
 import { need, say } from "../shared/dom.js";
 import { onEnter } from "../shared/enter.js";
+import { click } from "./click.js";
 import { Frames } from "./frames.js";
 import { Helper } from "./helper.js";
 import { Laid } from "./laid.js";
@@ -10,7 +12,7 @@ import { Mending } from "./mending.js";
 import { marked, NAMES } from "./over.js";
 import { Repair } from "./repair.js";
 import { Scrub } from "./scrub.js";
-import { Setup } from "./setup.js";
+import { FEWEST, Setup } from "./setup.js";
 import { View } from "./view.js";
 import * as words from "./words.js";
 
@@ -19,10 +21,8 @@ import * as words from "./words.js";
 /** @typedef {import("../measured/films.js").Take} Take */
 /** @typedef {"opening" | "marking" | "following" | "followed" | "failed"} Phase */
 
-const ENDS = ["one", "other"];
 const ALL = /** @type {import("./words.js").Aim[]} */ (["A", "B", "one", "other"]);
 const TYPED = 600; // ms
-const FEWEST = 8; // frames, as of any readings
 const CARTS = /** @type {import("./words.js").Aim[]} */ (["A", "B"]);
 
 export class Session {
@@ -30,7 +30,6 @@ export class Session {
   #laid = null;
   #clock = ""; // of the readings that were taken last
   #typing = 0; // another ruler, or slower: read anew when no more keys come
-  #turn = 0; // frames that were wished for
   /** @type {Repair | null} */
   #repair = null;
 
@@ -118,7 +117,7 @@ export class Session {
 
   /** A frame of a film that was opened cannot be decoded; others can. @param {Refusal} refused */
   #unseen(refused) {
-    if (this.phase === "opening") return this.#fail(refused);
+    if (this.phase === "opening" || refused.code === "lost") return this.#fail(refused);
     this.scrub.show(this.frames.time);
     this.#say(words.frameBroken());
   }
@@ -126,7 +125,6 @@ export class Session {
   /** @param {number} step so many frames on; 0: to where the slider is */
   #seek(step) {
     if (this.phase === "marking" && this.setup.marked) this.setup.forgetMarks();
-    this.#turn += 1;
     void (step ? this.frames.beside(step) : this.frames.want(this.scrub.time));
     if (this.phase === "marking") this.#changed();
   }
@@ -156,18 +154,10 @@ export class Session {
   async #set(point) {
     if (this.phase === "followed") return this.#repair?.set(point);
     if (this.phase !== "marking") return;
-    if (ENDS.includes(this.setup.aim)) this.setup.set(point);
-    else {
-      const { aim } = this.setup;
-      const turn = this.#turn;
-      const asked = { do: "mark", time: this.frames.time, click: point };
-      const { mark } = await this.helper.ask(asked).catch(() => ({ mark: null }));
-      if (this.setup.aim !== aim || this.#turn !== turn) return; // of another frame now
-      if (!mark) return this.#say(words.nothingThere());
-      if (this.setup.isOther(mark)) return this.#say(words.otherMark(aim));
-      this.setup.set(mark);
-    }
+    const problem = await click(this, point);
+    if (this.phase !== "marking") return;
     this.#changed();
+    if (problem) this.#say(problem);
   }
 
   /** Follows both marks from the frame that is shown to the end of the film. */
@@ -187,7 +177,8 @@ export class Session {
       if (rows && rows.length >= FEWEST) return this.#followed(rows, broken);
       this.#become("marking");
       this.#changed();
-      this.#say(rows ? words.tooFew(rows.length, FEWEST) : words.cancelled());
+      if (!rows) return this.#say(words.cancelled());
+      this.#say(joined([brokenAt(rows, broken), words.tooFew(rows.length, FEWEST)]));
     } catch (refused) {
       this.#fail(/** @type {Refusal} */ (refused));
     }
@@ -208,7 +199,7 @@ export class Session {
     setup.aim = ""; // a click that only means to look changes nothing
     this.#become("followed");
     const said = words.followed(rows.length, mending.counts(NAMES));
-    this.#say(broken ? `${words.brokenAt(fixed(Number(rows.at(-1)?.t), 2))} ${said}` : said);
+    this.#say(joined([brokenAt(rows, broken), said]));
     this.read();
     changed();
   }
@@ -246,4 +237,9 @@ export class Session {
     this.view.end();
     this.root.remove();
   }
+}
+
+/** Where a film broke off, if it did. @param {import("./along.js").Row[]} rows @param {boolean} broken */
+function brokenAt(rows, broken) {
+  return broken ? words.brokenAt(fixed(Number(rows.at(-1)?.t), 2)) : "";
 }

@@ -15,6 +15,7 @@ import * as words from "./words.js";
 /** @typedef {Point & {radius?: number}} Chosen */
 
 const AIMS = /** @type {Aim[]} */ (["A", "B", "one", "other"]);
+export const FEWEST = 8; // frames that are followed: as of any readings, sim/measured/track.py
 const METRES = /** @type {Record<string, number>} */ ({ m: 1, cm: 0.01 });
 
 export class Setup {

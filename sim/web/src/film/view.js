@@ -41,7 +41,7 @@ export class View {
       return !sets && along > FAR;
     };
     canvas.addEventListener("pointermove", (event) => {
-      far(event);
+      if (event.isPrimary) far(event);
       this.#move(this.#at(event));
     });
     canvas.addEventListener("pointerdown", (event) => {

@@ -2,7 +2,7 @@
 
 import { tr } from "../../../view/language.js";
 import { need } from "../shared/dom.js";
-import { complain, ifTyped, numberIn } from "../shared/number-box.js";
+import { complain, ifTyped, numberIn, unlessPositive } from "../shared/number-box.js";
 import { outside } from "../shared/typed.js";
 
 /** @typedef {import("../../../view/measured/types.js").Hand} Hand */
@@ -11,8 +11,8 @@ import { outside } from "../shared/typed.js";
 
 const FASTER = 1.5; // times the fastest the film shows
 const RATIO = [0.1, 10];
-/** What Python takes (sim/bridge/measured_answer.py would set what lies beyond to an end), and the unit. @type {Record<string, [number, number, string]>} */
-const LIMITS = { e: [0, 1, ""], ratio: [0.001, 1000, ""], duration: [0.0001, 1000, "s"] };
+/** Of what Python would set to an end (sim/bridge/measured_answer.py), or what no carts have. @type {Record<string, [number, number]>} */
+const LIMITS = { e: [0, 1], ratio: [0.001, 1000] };
 const LONGEST = 0.4; // s, of a contact
 
 export class Hands {
@@ -104,10 +104,11 @@ export class Hands {
 
 /** Why Python would not take what stands in a box; empty: it does, or the box is. @param {Row} row */
 function problem({ key, box, label }) {
-  const [low, high, unit] = LIMITS[key] ?? [-Infinity, Infinity, ""];
+  if (key === "duration") return unlessPositive(box, ifTyped(box)); // of a contact that never ends it is a billion
+  const [low, high] = LIMITS[key] ?? [-Infinity, Infinity];
   const value = numberIn(box);
   if (value === null || (value >= low && value <= high)) return ifTyped(box);
-  return outside({ label: label.textContent ?? "", unit }, String(low), String(high));
+  return outside({ label: label.textContent ?? "", unit: "" }, String(low), String(high));
 }
 
 /** @param {Row} row @returns {number | null} */

@@ -106,7 +106,7 @@ export class Fields {
       this.#say(row, before.note.textContent ?? "");
     }
     control.addEventListener("input", () => {
-      control.dataset.waits = "";
+      control.dataset.waits = ""; // for who looks from outside: what stands here is not taken yet
       clearTimeout(row.timer);
       row.timer = setTimeout(take, PAUSE);
     });
