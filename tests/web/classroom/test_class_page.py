@@ -205,7 +205,7 @@ def test_typed_codes_are_counted_beside_files(page: Page) -> None:
     box.fill(f"BLUE-FOX pre {code}\nRED-OWL pre {code[:-1]}")
     report = page.locator(".carts-class-report")
     expect(report).to_contain_text("1 of 1 files")
-    expect(report).to_contain_text("typed: RED-OWL")
+    expect(report).to_contain_text("typed, line 2: RED-OWL")
     page.locator(".carts-class-two").check()
     second = page.locator(".carts-class-codes textarea").nth(1)
     second.fill(f"GREY-ELK pre {code}")

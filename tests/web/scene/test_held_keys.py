@@ -44,8 +44,10 @@ def test_the_space_bar_and_the_key_of_the_projector(meeting: Page) -> None:
 
 FILM = """
 const { View } = await import(`${source}/film/view.js`);
+let held = false;
 const canvas = Object.assign(new EventTarget(), {
-  width: 100, height: 100, getContext: () => ({}), setPointerCapture() {},
+  width: 100, height: 100, getContext: () => ({}), setPointerCapture: () => (held = true),
+  hasPointerCapture: () => held,
   getBoundingClientRect: () => ({ left: 0, top: 0, width: 100, height: 100 }),
 });
 let set = 0;
@@ -56,7 +58,8 @@ send("keydown", { key: "Enter", repeat: false });
 for (const key of ["Enter", " "]) send("keydown", { key, repeat: true });
 const keys = set;
 for (const button of [2, 0])
-  for (const type of ["pointerdown", "pointerup"]) send(type, { button, clientX: 5, clientY: 5 });
+  for (const type of ["pointerdown", "pointerup"])
+    send(type, { button, clientX: 5, clientY: 5, isPrimary: true, pointerType: "mouse" });
 give([keys, set - keys]);
 """
 
