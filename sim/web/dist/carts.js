@@ -6362,8 +6362,10 @@
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape") for (const scene of shown2()) void project(scene, false);
   });
+  var entering = 0;
   document.addEventListener("fullscreenchange", () => {
-    if (!document.fullscreenElement) for (const scene of shown2()) mark(scene, false);
+    if (document.fullscreenElement || entering) return;
+    for (const scene of shown2()) mark(scene, false);
   });
   var shown2 = () => document.querySelectorAll(`.${PROJECTED}`);
   var isOn = (scene) => scene.classList.contains(PROJECTED);
@@ -6375,8 +6377,10 @@
       });
       return;
     }
+    entering += 1;
     await document.documentElement.requestFullscreen?.().catch(() => {
     });
+    entering -= 1;
     need(scene, ".carts-project").focus();
   }
   function mark(scene, on) {

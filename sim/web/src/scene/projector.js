@@ -49,8 +49,11 @@ document.addEventListener("keydown", (event) => {
   if (event.key === "Escape") for (const scene of shown()) void project(scene, false);
 });
 
+let entering = 0; // wishes for the full screen that are under way
+
 document.addEventListener("fullscreenchange", () => {
-  if (!document.fullscreenElement) for (const scene of shown()) mark(scene, false);
+  if (document.fullscreenElement || entering) return; // the end of the scene before may be told late
+  for (const scene of shown()) mark(scene, false);
 });
 
 const shown = () => /** @type {NodeListOf<Scene>} */ (document.querySelectorAll(`.${PROJECTED}`));
@@ -66,7 +69,9 @@ async function project(scene, on) {
     if (document.fullscreenElement) await document.exitFullscreen().catch(() => {});
     return;
   }
+  entering += 1;
   await document.documentElement.requestFullscreen?.().catch(() => {}); // it fills the window then
+  entering -= 1;
   need(scene, ".carts-project").focus();
 }
 
