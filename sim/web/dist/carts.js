@@ -347,14 +347,14 @@
   }
   function advance(t3, seconds, speed, parts2, until) {
     let now = t3;
-    let left = seconds;
-    while (left > 0 && now < until) {
+    let left2 = seconds;
+    while (left2 > 0 && now < until) {
       const inside2 = slowAt(parts2, now);
       const rate = inside2 ? Math.min(speed, inside2.rate) : speed;
       const edge3 = inside2 ? inside2.to : parts2.find((part) => part.from > now)?.from ?? until;
       const next = Math.min(edge3, until);
-      if (now + left * rate < next) return now + left * rate;
-      left -= (next - now) / rate;
+      if (now + left2 * rate < next) return now + left2 * rate;
+      left2 -= (next - now) / rate;
       now = next;
     }
     return Math.min(now, until);
@@ -644,10 +644,10 @@
       });
       const picture2 = need(root, ".carts-breaks-picture");
       picture2.addEventListener("click", (event) => {
-        const { left, top, width, height } = picture2.getBoundingClientRect();
+        const { left: left2, top, width, height } = picture2.getBoundingClientRect();
         const { clientX, clientY } = event;
         const [wide, high] = (picture2.getAttribute("viewBox") ?? "").split(" ").slice(2).map(Number);
-        const x2 = (clientX - left) / width * Number(wide);
+        const x2 = (clientX - left2) / width * Number(wide);
         const { column, row } = pointAt(breaks, x2, (clientY - top) / height * Number(high));
         this.#part("value").value = String(column);
         this.#part("step").value = String(row);
@@ -1042,10 +1042,10 @@
         const all = paths[k] ?? [0];
         return [Math.min(...all) - length, Math.max(...all) + length];
       });
-      const left = track.left === "wall" ? 0 : Math.min(...ends);
+      const left2 = track.left === "wall" ? 0 : Math.min(...ends);
       const right = track.right === "wall" ? Number(track.length) : Math.max(...ends);
-      this.scale = (WIDTH - 2 * SIDE) / (right - left);
-      this.left = left;
+      this.scale = (WIDTH - 2 * SIDE) / (right - left2);
+      this.left = left2;
       const heaviest = Math.max(...bodies.map(({ mass }) => mass));
       const shape = (k, name) => {
         const { mass, length } = bodies[k];
@@ -1085,24 +1085,24 @@
     #plot(stepped, exact) {
       const { until } = this.header;
       const start = exact[0] || 1;
-      const { left, top, right, bottom } = ENERGY;
+      const { left: left2, top, right, bottom } = ENERGY;
       const finite = stepped.map((value) => Number.isFinite(value) ? value / start : MOST);
       const high = Math.min(MOST, Math.max(1, ...finite, ...exact.map((value) => value / start)));
       const scale = axis(0, 100 * high, 4);
       const y2 = (part) => bottom - 100 * Math.min(part, high) / scale.high * (bottom - top);
-      const x2 = (t3) => left + t3 / until * (right - left);
+      const x2 = (t3) => left2 + t3 / until * (right - left2);
       const path3 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x2(Number(this.t?.[k])))} ${px(y2(value))}`).join("");
       const parts2 = ticks2(scale).filter((tick) => tick >= 0).flatMap((tick) => {
-        const label = svg("text", { class: "carts-tick-y", x: left - 6, y: px(y2(tick / 100) + 4) });
+        const label = svg("text", { class: "carts-tick-y", x: left2 - 6, y: px(y2(tick / 100) + 4) });
         label.textContent = `${short(tick)} %`;
         return [
-          svg("path", { class: "carts-grid", d: `M${left} ${px(y2(tick / 100))}H${right}` }),
+          svg("path", { class: "carts-grid", d: `M${left2} ${px(y2(tick / 100))}H${right}` }),
           label
         ];
       });
       const last = svg("text", { class: "carts-tick-x", x: right, y: bottom + 20 });
       last.textContent = `${short(until)} s`;
-      const first = svg("text", { class: "carts-tick-x", x: left, y: bottom + 20 });
+      const first = svg("text", { class: "carts-tick-x", x: left2, y: bottom + 20 });
       first.textContent = "0";
       this.cursor = svg("path", { class: "carts-cost-cursor" });
       this.energy.replaceChildren(
@@ -1134,8 +1134,8 @@
       for (const [cart, shape] of this.ghosts.entries()) {
         put(shape, "transform", `translate(${px(between2(this.exact?.[cart]), 2)} 0)`);
       }
-      const { left, top, right, bottom } = ENERGY;
-      const x2 = left + time / Number(this.header?.until ?? 1) * (right - left);
+      const { left: left2, top, right, bottom } = ENERGY;
+      const x2 = left2 + time / Number(this.header?.until ?? 1) * (right - left2);
       if (this.cursor) put(this.cursor, "d", `M${px(x2)} ${top}V${bottom}`);
     }
   };
@@ -1161,10 +1161,10 @@
   var stoppedWords = (n3) => tr("Stopped after {n} rows.", { n: n3 });
   function doneWords(refused) {
     const just = tr("Measured just now, by Python in this browser.");
-    const left = [...refused].map(
+    const left2 = [...refused].map(
       ([method, reason]) => tr("{method}: {reason}.", { method, reason })
     );
-    return joined([just, ...left]);
+    return joined([just, ...left2]);
   }
   var measuredWords = (when) => when ? tr("Measured {when}.", { when }) : tr("Not measured yet.");
   var keptWords = (reason) => tr("{reason} What was prepared stays as it is.", { reason });
@@ -1974,8 +1974,8 @@
         const past = t3 - end(effect);
         if (past >= 0 && goesOn(effect, header)) return [];
         const gone = past < 0 ? 0 : way * ROOM * Math.min(1, past / BACK);
-        const left = past < 0 ? side : side - (place(run, name, t3) - place(run, name, end(effect))) * layout.scale;
-        return [{ key, cls: "carts-hand carts-palm", d: hand(left - gone, y2 - MIDDLE, way) }];
+        const left2 = past < 0 ? side : side - (place(run, name, t3) - place(run, name, end(effect))) * layout.scale;
+        return [{ key, cls: "carts-hand carts-palm", d: hand(left2 - gone, y2 - MIDDLE, way) }];
       }
       const x2 = side - 3 * way;
       const d2 = `M${px(x2)} ${px(y2 - 38)}v14M${px(x2)} ${px(y2 - 31)}h${px(-way * 26)}`;
@@ -2561,9 +2561,9 @@
     const found3 = new Float64Array(lines4 * fine);
     for (let i2 = 0; i2 < lines4; i2 += 1) {
       for (let k = 0; k < fine; k += 1) {
-        const left = Math.min(Math.floor(k / factor), count2 - 2);
-        const at3 = i2 * line3 + left * next;
-        const part = (k - left * factor) / factor;
+        const left2 = Math.min(Math.floor(k / factor), count2 - 2);
+        const at3 = i2 * line3 + left2 * next;
+        const part = (k - left2 * factor) / factor;
         found3[i2 * fine + k] = mixed(Number(values[at3]), Number(values[at3 + next]), part);
       }
     }
@@ -3258,11 +3258,11 @@
   var LOST = 60;
   var HELD = 180;
   function watch(patience, late) {
-    let [left, spent] = [patience, 0];
+    let [left2, spent] = [patience, 0];
     const timer = setInterval(() => {
-      left -= 1;
+      left2 -= 1;
       spent += 1;
-      if (left > 0) return;
+      if (left2 > 0) return;
       clearInterval(timer);
       late();
     }, SECOND);
@@ -3271,7 +3271,7 @@
         return spent;
       },
       progress() {
-        left = patience;
+        left2 = patience;
       },
       stop() {
         clearInterval(timer);
@@ -3836,8 +3836,8 @@
     return bare.has(key) ? tr("{pair}: squeezed the most.", { pair }) : tr("{pair}: bumpers squeezed the most.", { pair });
   }
   function joined2({ bodies, after }, scale) {
-    const [left, right] = bodies.map((name) => isWall(name) ? 0 : Number(after[name]));
-    return isRest(Number(left) - Number(right), scale);
+    const [left2, right] = bodies.map((name) => isWall(name) ? 0 : Number(after[name]));
+    return isRest(Number(left2) - Number(right), scale);
   }
   function hitAndGoOn(event, telling2, pair) {
     const how = together(event, telling2);
@@ -4738,9 +4738,9 @@
     };
   }
   function greatest(run, pair) {
-    const [left, right] = run.header.contacts.find((contact) => contact.pair === pair)?.bodies ?? [];
+    const [left2, right] = run.header.contacts.find((contact) => contact.pair === pair)?.bodies ?? [];
     const peak = run.header.events.find(
-      (event) => event.kind === "peak" && event.bodies[0] === left && event.bodies[1] === right
+      (event) => event.kind === "peak" && event.bodies[0] === left2 && event.bodies[1] === right
     );
     if (typeof peak?.force === "number") return peak.force;
     return Math.max(0, ...Array.from(run.trajectory.F[pair] ?? []));
@@ -6318,8 +6318,8 @@
         button.toggleAttribute("data-seen", this.#seen.has(button.dataset.preset ?? ""));
       }
       if (!this.#seen.size) return;
-      const left = inRow(this.left);
-      say(this.line, left ? tr("Still to watch: {names}", { names: left }) : tr("All watched."));
+      const left2 = inRow(this.left);
+      say(this.line, left2 ? tr("Still to watch: {names}", { names: left2 }) : tr("All watched."));
     }
   };
   function thingIn({ track }, target) {
@@ -6362,9 +6362,11 @@
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape") for (const scene of shown2()) void project(scene, false);
   });
-  var entering = 0;
+  var left = 0;
   document.addEventListener("fullscreenchange", () => {
-    if (document.fullscreenElement || entering) return;
+    const own = left > 0;
+    left = document.fullscreenElement ? 0 : Math.max(0, left - 1);
+    if (document.fullscreenElement || own) return;
     for (const scene of shown2()) mark(scene, false);
   });
   var shown2 = () => document.querySelectorAll(`.${PROJECTED}`);
@@ -6373,14 +6375,13 @@
     for (const other of shown2()) if (other !== scene) mark(other, false);
     mark(scene, on);
     if (!on) {
-      if (document.fullscreenElement) await document.exitFullscreen().catch(() => {
-      });
+      if (!document.fullscreenElement) return;
+      left += 1;
+      await document.exitFullscreen().catch(() => left = 0);
       return;
     }
-    entering += 1;
     await document.documentElement.requestFullscreen?.().catch(() => {
     });
-    entering -= 1;
     need(scene, ".carts-project").focus();
   }
   function mark(scene, on) {
@@ -6787,16 +6788,16 @@
         slope = Float64Array.from(slope, (s3, k) => pulls[k] ? -s3 : s3);
         force2 = Float64Array.from(force2, Math.abs);
       }
-      const [left, right] = contact.bodies;
+      const [left2, right] = contact.bodies;
       curves.push({
-        label: onBy(left, right, header.track),
-        style: styles.get(left) ?? "wall",
+        label: onBy(left2, right, header.track),
+        style: styles.get(left2) ?? "wall",
         over: false,
         values: Float64Array.from(force2, (f2) => sign * f2),
         slopes: Float64Array.from(slope, (s3) => sign * s3)
       });
       curves.push({
-        label: onBy(right, left, header.track),
+        label: onBy(right, left2, header.track),
         style: styles.get(right) ?? "wall",
         over: true,
         values: force2,
@@ -7785,9 +7786,9 @@ ${lines4.join("\n")}
     return [...contactForces(run, name, t3, zero), ...effectForces(run, name, t3)];
   }
   function contactForces(run, name, t3, zero) {
-    return run.header.contacts.filter(({ bodies }) => bodies.includes(name)).map((contact) => ({ ...contact, size: contactForce(run, contact.pair, t3, zero) })).filter(({ pair, stiffness, size }) => size || stiffness || linkOf(run.header, pair)).map(({ bodies: [left, right], size }) => {
-      const isLeft = left === name;
-      const by = isLeft ? right : left;
+    return run.header.contacts.filter(({ bodies }) => bodies.includes(name)).map((contact) => ({ ...contact, size: contactForce(run, contact.pair, t3, zero) })).filter(({ pair, stiffness, size }) => size || stiffness || linkOf(run.header, pair)).map(({ bodies: [left2, right], size }) => {
+      const isLeft = left2 === name;
+      const by = isLeft ? right : left2;
       return {
         name: forceOn(body(name, run.header.track), body(by, run.header.track)),
         on: name,
@@ -8346,26 +8347,26 @@ ${lines4.join("\n")}
       );
       if (!run || !touch) return say(this.note, tr("Nothing touches in this run."));
       this.#t = t3;
-      const [left, right] = [this.#side(run, touch, 0), this.#side(run, touch, 1)];
-      const overlap = Math.max(0, left.face - right.face);
-      const give = Math.min(overlap, left.bumper + right.bumper);
-      const share = Math.min(left.bumper, left.bumper && right.bumper ? give / 2 : give);
-      const touched = isWall(left.name) ? right.face + give : left.face - share;
-      const middle = overlap > 0 ? touched : (left.face + right.face) / 2;
-      const faces = overlap > 0 ? [touched, touched] : [left.face, right.face];
+      const [left2, right] = [this.#side(run, touch, 0), this.#side(run, touch, 1)];
+      const overlap = Math.max(0, left2.face - right.face);
+      const give = Math.min(overlap, left2.bumper + right.bumper);
+      const share = Math.min(left2.bumper, left2.bumper && right.bumper ? give / 2 : give);
+      const touched = isWall(left2.name) ? right.face + give : left2.face - share;
+      const middle = overlap > 0 ? touched : (left2.face + right.face) / 2;
+      const faces = overlap > 0 ? [touched, touched] : [left2.face, right.face];
       const force2 = contactForce(run, touch.pair, t3, NOISE * (this.view.force || 1));
-      [left, right].forEach((side, k) => {
+      [left2, right].forEach((side, k) => {
         this.#draw(run, k, side, Number(faces[k]), middle, force2);
       });
       const pushed = touch.loose && t3 >= touch.start && t3 <= touch.end;
       const at3 = (x2) => WIDTH5 / 2 + (x2 - middle) * this.#perMetre;
-      const wall = [left, right].find(({ name }) => isWall(name));
+      const wall = [left2, right].find(({ name }) => isWall(name));
       const was = wall && overlap > 0 ? `M${px(at3(wall.face))} 22V${TRACK}` : "";
       put(need(this.root, '[data-part="was"]'), "d", was);
-      const wire = coil(at3(left.face), at3(right.face), TRACK - 14, void 0, 6);
+      const wire = coil(at3(left2.face), at3(right.face), TRACK - 14, void 0, 6);
       put(need(this.root, '[data-part="between"]'), "d", pushed ? wire : "");
       const pair = bodiesOf(touch.bodies, run.header.track);
-      const gap = right.face - left.face;
+      const gap = right.face - left2.face;
       const apart = gap > 0 ? tr("{length} apart", { length: lengthText(gap) }) : tr("squeezed by {length}", { length: lengthText(overlap) });
       const size = fixed(force2, this.view.decimals.F ?? 2);
       const push = tr("{size} on each", { size: `${size} N` });
@@ -8868,8 +8869,8 @@ ${lines4.join("\n")}
   // src/scene/graphs/ledger-layer.js
   var NEAR3 = 0.5;
   function hasLedger(baked) {
-    const { left, right } = baked.run.header.track;
-    return !baked.fence.camera || left !== "wall" && right !== "wall" && !needsParts(baked);
+    const { left: left2, right } = baked.run.header.track;
+    return !baked.fence.camera || left2 !== "wall" && right !== "wall" && !needsParts(baked);
   }
   var LedgerLayer = class {
     times = [];
@@ -9254,7 +9255,7 @@ ${lines4.join("\n")}
 
   // ../view/deformation/squeezes.js
   function squeezes(carts, centres, faces) {
-    const left = carts.map(() => 0);
+    const left2 = carts.map(() => 0);
     const right = carts.map(() => 0);
     const dents = { left: 0, right: 0 };
     for (let gap = 0; gap <= carts.length; gap += 1) {
@@ -9265,12 +9266,12 @@ ${lines4.join("\n")}
       const overlap = Math.max(0, end2 - start);
       const share = Math.min(a2?.bumper ?? 0, b2 ? overlap / 2 : overlap);
       const rest = Math.min(b2?.bumper ?? 0, overlap - share);
-      if (b2) left[gap] = rest;
+      if (b2) left2[gap] = rest;
       if (a2) right[gap - 1] = Math.min(a2.bumper, overlap - rest);
       if (!a2) dents.left = overlap - rest;
       if (!b2) dents.right = overlap - share;
     }
-    return { left, right, dents };
+    return { left: left2, right, dents };
   }
 
   // ../view/skins.js
@@ -9531,13 +9532,13 @@ ${lines4.join("\n")}
     return Math.min(x2, x2 + length) >= needed || Math.max(x2, x2 + length) <= picture2 - needed;
   }
   function beside(x2, length, width, picture2) {
-    const left = Math.min(x2, x2 + length) - GAP4;
+    const left2 = Math.min(x2, x2 + length) - GAP4;
     const right = Math.max(x2, x2 + length) + GAP4;
-    const toLeft = left - width >= 4;
+    const toLeft = left2 - width >= 4;
     const toRight = right + width <= picture2 - 4;
-    if (toLeft && (length >= 0 || !toRight)) return [left, "end"];
+    if (toLeft && (length >= 0 || !toRight)) return [left2, "end"];
     if (toRight) return [right, "start"];
-    return left > picture2 - right ? [4, "start"] : [picture2 - 4, "end"];
+    return left2 > picture2 - right ? [4, "start"] : [picture2 - 4, "end"];
   }
 
   // src/scene/ground.js
@@ -9622,8 +9623,8 @@ ${lines4.join("\n")}
         const sizes = forces2.map(Math.abs);
         const size = Math.max(...sizes);
         const y2 = layout.track - PUSH;
-        const [left, right] = push.bodies;
-        const ends = [face2(left, "right"), face2(right, "left")];
+        const [left2, right] = push.bodies;
+        const ends = [face2(left2, "right"), face2(right, "left")];
         push.groups.forEach((group2, side) => {
           const way = side === 0 ? -1 : 1;
           const draw = isCut(Number(sizes[side]), view.force) ? cutArrow : blockArrow;
@@ -9680,17 +9681,17 @@ ${lines4.join("\n")}
         const by = push.bodies[1 - side] ?? "";
         return `${onBy(on, by, track)}${through}: ${this.#value(Number(sizes[side]))}`;
       });
-      const [left, right] = labels2.map((label) => label.length * PER_CHARACTER2);
-      if (!first || !second || !left || !right) return false;
+      const [left2, right] = labels2.map((label) => label.length * PER_CHARACTER2);
+      if (!first || !second || !left2 || !right) return false;
       const [low, high] = this.#between();
-      if (high - low >= left + right + 2 * GAP5 && !push.bodies.some(isWall)) {
-        const begin = Math.min(Math.max(x2 + GAP5, low + left + 2 * GAP5), high - right);
-        const end2 = Math.max(low + left, Math.min(x2 - GAP5, begin - 2 * GAP5));
+      if (high - low >= left2 + right + 2 * GAP5 && !push.bodies.some(isWall)) {
+        const begin = Math.min(Math.max(x2 + GAP5, low + left2 + 2 * GAP5), high - right);
+        const end2 = Math.max(low + left2, Math.min(x2 - GAP5, begin - 2 * GAP5));
         write3(first, labels2[0] ?? "", end2, push.row, "end");
         write3(second, labels2[1] ?? "", begin, push.row, "start");
         return true;
       }
-      const longest = Math.max(left, right);
+      const longest = Math.max(left2, right);
       const taken = new Set(Object.values(this.layout.slots)).size;
       if (this.layout.beam < (2 + taken) * ROW2 || high - low < longest) return false;
       const top = Math.min(...this.layout.rows);
@@ -9716,8 +9717,8 @@ ${lines4.join("\n")}
   };
   function forcesOn({ trajectory }, { pair, bodies }, t3) {
     const { t: times2, F: F2, dF, on } = trajectory;
-    const [left, right] = bodies.map((name) => on?.[`${pair} ${name}`]);
-    if (left && right) return [valueAt(times2, left, null, t3), valueAt(times2, right, null, t3)];
+    const [left2, right] = bodies.map((name) => on?.[`${pair} ${name}`]);
+    if (left2 && right) return [valueAt(times2, left2, null, t3), valueAt(times2, right, null, t3)];
     const [column, slopes] = [F2[pair], dF[pair]];
     const force2 = column && slopes ? valueAt(times2, column, slopes, t3) : 0;
     return [force2, force2];
@@ -9855,7 +9856,7 @@ ${lines4.join("\n")}
         return this.layout.origin + (x2 - shift) * this.layout.scale;
       });
       const walls = this.#walls.faces(shift * this.layout.scale);
-      const { left, right, dents } = squeezes(this.#carts, centres, walls);
+      const { left: left2, right, dents } = squeezes(this.#carts, centres, walls);
       this.#walls.at(
         {
           left: { dent: dents.left, height: this.#carts[0]?.height ?? 0 },
@@ -9866,7 +9867,7 @@ ${lines4.join("\n")}
       this.#carts.forEach((cart, i2) => {
         const centre = Number(centres[i2]);
         const faces = [
-          -cart.half + Number(left[i2]),
+          -cart.half + Number(left2[i2]),
           cart.half - Number(right[i2])
         ];
         const foot = this.layout.track - cart.lift;
@@ -9891,7 +9892,7 @@ ${lines4.join("\n")}
         }
         const half = this.#carts[i2]?.half ?? 0;
         const centre = Number(centres[i2]);
-        return side === "left" ? centre - half + Number(left[i2]) : centre + half - Number(right[i2]);
+        return side === "left" ? centre - half + Number(left2[i2]) : centre + half - Number(right[i2]);
       };
       this.#pushes.at(t3, face2);
       this.#effects.at(

@@ -49,10 +49,12 @@ document.addEventListener("keydown", (event) => {
   if (event.key === "Escape") for (const scene of shown()) void project(scene, false);
 });
 
-let entering = 0; // wishes for the full screen that are under way
+let left = 0; // times that the full screen was left from here and the browser has not told of yet
 
 document.addEventListener("fullscreenchange", () => {
-  if (document.fullscreenElement || entering) return; // the end of the scene before may be told late
+  const own = left > 0; // its scene is off already; another one may be on by now
+  left = document.fullscreenElement ? 0 : Math.max(0, left - 1);
+  if (document.fullscreenElement || own) return;
   for (const scene of shown()) mark(scene, false);
 });
 
@@ -66,12 +68,12 @@ async function project(scene, on) {
   for (const other of shown()) if (other !== scene) mark(other, false);
   mark(scene, on);
   if (!on) {
-    if (document.fullscreenElement) await document.exitFullscreen().catch(() => {});
+    if (!document.fullscreenElement) return;
+    left += 1;
+    await document.exitFullscreen().catch(() => (left = 0));
     return;
   }
-  entering += 1;
   await document.documentElement.requestFullscreen?.().catch(() => {}); // it fills the window then
-  entering -= 1;
   need(scene, ".carts-project").focus();
 }
 
