@@ -19,8 +19,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from sim.bridge.alive import alive
-from sim.bridge.how_answer import way_of
 from sim.bridge.protocol import track_of
+from sim.bridge.way import way_of
 from sim.dynamics.cost.exact import exact
 from sim.dynamics.cost.measure import exact_rows, row, ways
 from sim.dynamics.cost.report import digits_of, floor_of, row_object, speed_of

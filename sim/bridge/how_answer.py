@@ -18,6 +18,7 @@ from typing import Any
 
 from sim.bridge.alive import alive
 from sim.bridge.protocol import MOST_EVENTS_DRAWN, MOST_STEPS_DRAWN, effects_of, plain_of, wire
+from sim.bridge.way import way_of
 from sim.dynamics.cost.distance import far
 from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import finite
@@ -25,11 +26,10 @@ from sim.dynamics.report.warnings import warnings
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.trajectory import trajectory
 from sim.dynamics.stepping.drawn import Drawn, drawn
-from sim.dynamics.stepping.methods import ADAPTIVE, NAMES, Way, outcome
+from sim.dynamics.stepping.methods import Way, outcome
 from sim.dynamics.stepping.recorded import SteppedRun, stepped
 from sim.dynamics.stepping.stepped_report import stepped_report
-from sim.scene import Problem, Scene, SceneError, read_scene
-from sim.scene.said import said
+from sim.scene import Scene, read_scene
 from sim.scene.said import wire as said_by
 
 MOST_PARTS = 5_000
@@ -47,7 +47,7 @@ def how_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]
     scene = read_scene(plain)
     if "method" not in request:
         return {"cost": _cost(scene)}, array("d")
-    way = way_of(scene, request)
+    way = way_of(scene, request, MOST_PARTS)
     result = stepped(scene, way)
     solved = _exact(scene)
     shown = drawn(result, solved)
@@ -58,23 +58,6 @@ def how_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]
     header["warnings"] = [{"code": w.code, "message": said_by(w.message)} for w in warnings(solved)]
     header["how"] = finite(_compared(scene, way, result, solved, shown))
     return header, numbers
-
-
-def way_of(scene: Scene, request: Mapping[str, Any], most: int = MOST_PARTS) -> Way:
-    """The method that a page asks for, in `most` steps; raises SceneError."""
-    method, parts = request.get("method"), request.get("parts", 0)
-    if method not in NAMES:
-        problem = Problem(("method",), "unknown-method", said("no such method"), ", ".join(NAMES))
-        raise SceneError([problem])
-    if method in ADAPTIVE:
-        return Way(str(method), rtol=min(0.1, max(1e-13, float(request.get("rtol") or 1e-9))))
-    if not isinstance(parts, int) or not 1 <= parts <= most:
-        message, hint = (
-            said("no such number of steps"),
-            said("{low} to {high}", low="1", high=str(most)),
-        )
-        raise SceneError([Problem(("parts",), "range", message, hint)])
-    return Way(str(method), step=scene.until / parts)
 
 
 def _exact(scene: Scene, *, kept: bool = True) -> Run:

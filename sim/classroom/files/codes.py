@@ -107,20 +107,20 @@ def _who(text: str, lessons: Sequence[str]) -> tuple[str, str, str] | str:
     if not words:
         return template("the student's code word is missing in front of the code")
     before = " ".join(words)
-    if before.lower() in map(str.lower, lessons):
+    known = {lesson.lower(): lesson for lesson in lessons}
+    if before.lower() in known:
         return template("the student's code word is missing in front of the code")
-    for lesson in sorted(set(lessons), key=len, reverse=True):
-        if before.lower().endswith(f" {lesson.lower()}"):
-            return before[: -len(lesson) - 1], lesson, form
+    for small in sorted(known, key=len, reverse=True):
+        if before.lower().endswith(f" {small}"):
+            return before[: -len(small) - 1], known[small], form
     apart = words[len(fields[0]) :]
-    if not apart and get_close_matches(words[-1].lower(), map(str.lower, lessons), 1, ALIKE):
-        apart = words[1:][-1:]
-    if not apart or not lessons:
+    if not apart and len(words) > 1 and get_close_matches(words[-1].lower(), known, 1, ALIKE):
+        apart = words[-1:]
+    if not apart or not known:
         return before, "", form
-    known = listed_or(sorted(set(lessons)))
     return said(
         "there is no key for a lesson “{name}”, only for {lessons}; a comma ends the code word",
-        name=shown(" ".join(apart))[:60], lessons=known,
+        name=shown(" ".join(apart))[:60], lessons=listed_or(sorted(known.values())),
     )  # fmt: skip
 
 

@@ -31,13 +31,16 @@ def prediction_rows(files: Sequence[Marked]) -> list[dict[str, Any]]:
 
 def _row(name: str, made: Sequence[tuple[Marked, Item]]) -> dict[str, Any]:
     first = made[0][1]
-    items = [item for _, item in made if "again" not in item.more]
+    each = told([item for _, item in made])
+    before = [
+        (item, words)
+        for (_, item), words in zip(made, each, strict=True)
+        if "again" not in item.more
+    ]
+    items = [item for item, _ in before]
     drawn = first.type == "curve"  # in words each one is different
-    each = told(items)
-    words, more = most_said([] if drawn else each)
-    sure = Counter(
-        words for words, item in zip(each, items, strict=True) if item.more.get("sure") == "sure"
-    )
+    words, more = most_said(() if drawn else (words for _, words in before))
+    sure = Counter(words for item, words in before if item.more.get("sure") == "sure")
     curves = [[float(h) for h in item.value] for item in items if _is_curve(item)]
     return {
         "id": name,
@@ -51,7 +54,7 @@ def _row(name: str, made: Sequence[tuple[Marked, Item]]) -> dict[str, Any]:
         "curves": curves,
         "reasons": [
             {"student": file.who, "said": words, "why": item.more["why"]}
-            for (file, item), words in zip(made, told([item for _, item in made]), strict=True)
+            for (file, item), words in zip(made, each, strict=True)
             if item.more.get("why")
         ],
         "first": min(item.first or "" for _, item in made),

@@ -23,7 +23,7 @@ class Stretch:
     gaps: list[int]
     stuck: set[int]
     named: list[tuple[str, str]]
-    outside: body_forces.Outside | None
+    outside: body_forces.Outside
 
     def row(self, t: float) -> list[float]:
         """All columns at t."""
@@ -38,7 +38,6 @@ class Stretch:
                 forces[gap] = part.solver.force(gap, tau)
         outer: dict[tuple[str, str], float] = {}
         if self.named:
-            assert self.outside is not None
             between = {gap: one for gap, (one, _) in forces.items() if gap not in self.stuck}
             outer = body_forces.at(self.outside, states, self.motion, between, self.stuck)
         if self.stuck:
@@ -86,14 +85,12 @@ class Stretch:
             if body[0] in self.stuck or body[-1] + 1 in self.stuck:
                 continue
             grows = outer.get(body[0], 0.0) - outer.get(body[-1] + 1, 0.0)
-            limits = outside.limits(body) if outside is not None else 0.0
-            if outside is not None and limits and not self.motion[body[0]].sliding:
+            limits = outside.limits(body)
+            if limits and not self.motion[body[0]].sliding:
                 for k in body:
                     found[k] = outside.limits(range(k, k + 1)) / limits * grows
                 continue
-            drags = [
-                -outside.slope(k, *states[k][1:]) if outside is not None else 0.0 for k in body
-            ]
+            drags = [-outside.slope(k, *states[k][1:]) for k in body]
             jerk = (grows - math.fsum(drags)) / math.fsum(carts[k].mass for k in body)
             for k, drag in zip(body, drags, strict=True):
                 found[k] = carts[k].mass * jerk + drag

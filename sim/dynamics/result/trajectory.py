@@ -104,12 +104,13 @@ def _titles(run: Run, gaps: list[int], named: list[tuple[str, str]]) -> list[tup
     return titles + [("E", kind, name) for kind, name in named]
 
 
-def _outside(run: Run) -> Callable[[float], Outside | None]:
+def _outside(run: Run) -> Callable[[float], Outside]:
     """What acts on single carts just after t s: a push that begins there counts already."""
     forces, carts = run.forces, run.scene.carts
-    if forces is None:
-        return lambda t: None
     places = range(len(carts))
+    if forces is None:
+        nothing = Outside(carts, [[] for _ in places], [None for _ in places])
+        return lambda t: nothing
     grips = [forces.friction_on(k) for k in places]
     return lambda t: Outside(carts, [forces.on_cart(k, t) for k in places], grips)
 
