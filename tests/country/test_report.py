@@ -132,6 +132,22 @@ def test_a_table_from_before_a_column_was_added_is_read(
             assert now["again"]
 
 
+@pytest.mark.parametrize("older", ["a-older", "z-older"])
+def test_older_and_newer_parts_in_one_folder_are_one_table(
+    older: str, school_table: Path, school_report: dict[str, Any]
+) -> None:
+    """Whichever of them is read first."""
+    (part,) = school_table.glob("*.parquet")
+    rows = pq.read_table(part)
+    newer = {one["sheet"] for one in rows.to_pylist() if one["again"]}
+    of_newer = [sheet in newer for sheet in rows["sheet"].to_pylist()]
+    part.unlink()
+    pq.write_table(rows.filter(of_newer), school_table / "m-newer.parquet")
+    early = rows.filter([not one for one in of_newer]).drop_columns(list(LATER))
+    pq.write_table(early, school_table / f"{older}.parquet")
+    assert reported("--table", school_table) == school_report
+
+
 def test_one_table_given_twice_is_refused(school_table: Path, tmp_path: Path) -> None:
     shutil.copytree(school_table, tmp_path / "again")
     result = carts("--table", school_table, "--table", tmp_path / "again")
