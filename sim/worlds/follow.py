@@ -60,6 +60,8 @@ class WorldStepper(OwnSteps):
 
     def __init__(self, scene: Scene, name: str, world: Impossible) -> None:
         self.world, self.name = world, name
+        self.now = 0.0  # s, the end of the last step
+        self.late: list[float] = []  # s, when a push comes back that has jumped
         super().__init__(scene)
 
     def make_field(self, scene: Scene, lanes: int) -> WorldField:
@@ -74,6 +76,8 @@ class WorldStepper(OwnSteps):
         least = min((self._swing(gap) for gap in self._pressed()), default=whole)
         if late and self.own.echoes(t):
             least = min((self._swing(pair.gap) for pair in self.field.pairs), default=whole)
+        if late and self.own.begun:
+            least = min(least, self.world.delay / LATE)  # what a step reads off lies before it
         return min(whole, least * LATE if late else least)
 
     def spent(self) -> bool:
@@ -131,8 +135,19 @@ class WorldStepper(OwnSteps):
             raise self.lost(t)
         super()._accept(t, h, s, v)
         if self.world.delay:
-            push, links, _ = self.field.forces(t + h, s, v)
-            self.own.remember(t + h, push, links)
+            self.now = t + h
+            self.own.remember(self.now, s, v)
+
+    def settle(self, t: float) -> None:
+        """Then also: who pushes whom from now on, and when the jump of a push comes back."""
+        super().settle(t)
+        self.own.meet(t, self.s, self.v)
+        if self.world.delay:
+            self.late += self.own.remember(self.now, self.s, self.v)
+
+    def stops(self) -> list[float]:
+        """Also where a push comes back that has jumped."""
+        return [*self.times, *self.late]
 
 
 class WorldRecorder(SidedRecorder):

@@ -55,6 +55,28 @@ def test_the_worst_scene_is_an_ordinary_one_that_can_be_pasted_and_shows_it(name
         assert books.energy_final > books.energy_initial
 
 
+BARELY_WRONG = {
+    "energy": "def force(overlap, rate):\n"
+    "    return 200*overlap if rate > 0 else 200.02*overlap\n",
+    "third-law": "def force(overlap, side):\n"
+    "    return 100*overlap*(1 + 1e-6*(side == 'left'))\n",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("check", "text"), [
+    *((broken, text) for text, broken in WRONG.values()), *BARELY_WRONG.items()
+])  # fmt: skip
+def test_what_breaks_a_law_is_told_as_two_numbers_that_differ(check: str, text: str) -> None:
+    verdict = next(one for one in judge(text).verdicts if one.check == check)
+    assert not verdict.holds
+    values = [value for name, value in verdict.sentence.values.items() if name not in ALONE]
+    assert len(set(values)) == len(values), verdict.sentence
+
+
+ALONE = {"cart", "time"}
+"""Values of sentences that stand for themselves."""
+
+
 @pytest.mark.parametrize("name", ["spring", "hertz"])
 def test_one_judgement_comes_from_one_law_seed_and_budget(name: str) -> None:
     assert judge(RIGHT[name]) == judge(RIGHT[name])

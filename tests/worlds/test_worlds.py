@@ -26,9 +26,6 @@ from tests.worlds.scenes import (
 STEPS = 1e-7
 """m/s, m. What located steps may be off by."""
 
-LATE = 2e-4
-"""Of a velocity. A late force is read off along straight lines between the ends of steps."""
-
 SHARED = {
     "bigger-pushes-more": lambda a, b: (2 * b / (a + b), 2 * a / (a + b)),
     "own-mass-own-force": lambda a, b: (2 * a / (a + b), 2 * b / (a + b)),
@@ -166,19 +163,22 @@ def test_velocity_follows_the_push_where_motion_needs_force() -> None:
     assert v[-1] == pytest.approx(0.0, abs=1e-6)
 
 
-@pytest.mark.parametrize("delay", [0.05, 0.2, 0.8])
-def test_a_late_reaction_gives_the_momentum_back_late(delay: float) -> None:
-    """The one that is hit leaves as from a moving wall; the other gets all of its impulse later."""
-    done = followed(HEAVY_INTO_LIGHT, {"reaction-comes-later": {"delay": delay}})
-    found = broken(done)
-    swing = math.pi / 2 * math.sqrt(0.5 / 100)  # how long the light one presses in
-    if delay > 1.8 * swing:  # the contact is over before anything comes back
-        struck = 0.4 * 1.8
-        assert done.run.v[1] == pytest.approx(struck, rel=LATE)
-        assert done.run.v[0] == pytest.approx(0.4 - 0.5 / 2.0 * struck, rel=LATE)
-        assert found.most == pytest.approx(0.5 * struck, rel=1e-3)
-    assert found.momentum == 0.0
-    assert 2.0 * done.run.v[0] + 0.5 * done.run.v[1] == pytest.approx(0.8, rel=LATE)
+@pytest.mark.parametrize("until", [0.1, 10.0])
+def test_where_both_stand_the_one_that_is_pushed_harder_pushes_harder(until: float) -> None:
+    """3 N press B against A, 2 N press A: A feels 3/2 of what B feels."""
+    plain = {
+        "carts": {
+            "A": {"mass": 1.0, "position": 0.4, "length": 0.2},
+            "B": {"mass": 2.0, "position": 0.6, "length": 0.2},
+        },
+        "contact": {"stiffness": 200},
+        "effects": [{"push": {"cart": "A", "force": 2}}, {"push": {"cart": "B", "force": -3}}],
+        "until": until,
+    }
+    columns = followed(plain, "mover-pushes-more").samples.columns
+    pairs = zip(columns["on", "A-B", "A"], columns["on", "A-B", "B"], strict=True)
+    for on_a, on_b in pairs:
+        assert on_a == pytest.approx(1.5 * on_b, rel=1e-9)
 
 
 @pytest.mark.parametrize("plain", PAIRS.values(), ids=PAIRS)

@@ -31,6 +31,10 @@ class OwnSteps(LocatedStepper):
         """s. The next step, at most."""
         raise NotImplementedError
 
+    def stops(self) -> Iterable[float]:
+        """Instants in s at which a step has to end, whatever happens."""
+        return self.times
+
     def changed(self) -> None:
         """An event has ended a step."""
 
@@ -47,7 +51,7 @@ class OwnSteps(LocatedStepper):
         t, still = 0.0, 0
         self.start()
         while t < until:
-            stop = min([until, *(time for time in self.times if time > t)])
+            stop = min([until, *(time for time in self.stops() if time > t)])
             end = min(stop, t + self.length(t))
             self.field.force_time = 0.5 * (t + end)
             done, keys = self.part(t, end - t)

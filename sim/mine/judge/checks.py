@@ -17,7 +17,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from sim.mine.instance import Written
-from sim.mine.judge.trial import End, Trial
+from sim.mine.judge.told import both, joule, newton, place, speed
+from sim.mine.judge.trial import Trial
 from sim.scene.said import said, template
 
 FORCES = 1e-9
@@ -28,9 +29,6 @@ ENERGY = 1e-5
 
 ENDS = 1e-4
 """Of the closing speed. Steps of 1e-6 are off by 1e-5 over a contact with a kink in it."""
-
-FAST = 1e6
-"""m/s. Faster is told with a power of ten."""
 
 PARTED = 1e-9
 """m. Less overlap than that is none: what has not parted may still give energy back."""
@@ -68,11 +66,12 @@ def _third_law(trial: Trial) -> Found | None:
     if end is None or end.greatest == 0.0:
         return None
     off = end.apart
+    left, right = both(off.left, off.right, newton)
     return Found(
         2.0 * abs(off.odd) / end.greatest,
         said(
             "At {time} B pushes A with {left}, and A pushes B with {right}.",
-            time=f"{off.time:.3f} s", left=_newton(off.left), right=_newton(off.right),
+            time=f"{off.time:.3f} s", left=left, right=right,
         ),
     )  # fmt: skip
 
@@ -84,12 +83,13 @@ def _energy(trial: Trial) -> Found | None:
         return None
     before, after = _kinetic(trial, trial.velocities), _kinetic(trial, end.v)
     first, second = trial.masses
+    texts = both(before, after, joule)
     in_play = 0.5 * first * second / (first + second) * trial.closing**2
     return Found(
         max(0.0, after - before) / in_play,
         said(
             "Before they touch the carts have {before}, after they have parted {after}.",
-            before=_joule(before), after=_joule(after),
+            before=texts[0], after=texts[1],
         ),
     )  # fmt: skip
 
@@ -114,20 +114,19 @@ def _compared(run: str, sentence: str) -> Callable[[Trial], Found | None]:
         other = None if end is None else trial.end(run)
         if end is None or other is None:
             return None
-        amount = max(_off(end, other)) / trial.closing
-        velocities = [abs(a - b) for a, b in zip(end.v, other.v, strict=True)]
-        k = 0 if velocities[0] > velocities[1] else 1
-        return Found(
-            amount,
-            said(sentence, cart="AB"[k], here=_speed(end.v[k]), there=_speed(other.v[k])),
+        told = ((speed, end.v, other.v), (place, end.x, other.x))
+        amount, k, write, two = max(
+            (
+                (abs(a - b), k, write, (a, b))
+                for write, ours, others in told
+                for k, (a, b) in enumerate(zip(ours, others, strict=True))
+            ),
+            key=lambda one: one[0],  # bumps without a loss may end in the same velocities
         )
+        here, there = both(*two, write)
+        return Found(amount / trial.closing, said(sentence, cart="AB"[k], here=here, there=there))
 
     return of
-
-
-def _off(end: End, other: End) -> list[float]:
-    pairs = [*zip(end.v, other.v, strict=True), *zip(end.x, other.x, strict=True)]
-    return [abs(a - b) for a, b in pairs]
 
 
 def _step(trial: Trial) -> Found | None:
@@ -137,19 +136,6 @@ def _step(trial: Trial) -> Found | None:
             math.inf, said("However short the steps are, they do not agree: the run has no end.")
         )
     return _compared("coarse", STEP)(trial)
-
-
-def _newton(force: float) -> str:
-    return f"{force:.4g} N".replace("-", "\N{MINUS SIGN}")
-
-
-def _joule(energy: float) -> str:
-    return f"{energy:.4g} J"
-
-
-def _speed(v: float) -> str:
-    text = f"{v:.4f}" if abs(v) < FAST else f"{v:.4g}"
-    return f"{text} m/s".replace("-", "\N{MINUS SIGN}")
 
 
 VELOCITIES = frozenset({"velocity_self", "velocity_other"})
