@@ -103,6 +103,8 @@ def begin(law: str, k: float, e: float, mu: float, d: float, s: float) -> Branch
     if law != "bumper" and e < 1:
         zeta = zeta_for_zero_force(e) if law == "push-only" else zeta_printed(e) if e else 1.0
     branch = Branch(law, k, e, zeta).between(mu)
+    if d == 0 and s > 0 and branch.c and law != "hertz":
+        return replace(branch, state="on")  # its damper pushes at once: that may hold a cart
     if d <= 0:
         return branch
     if law == "bumper":
