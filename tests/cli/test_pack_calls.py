@@ -38,3 +38,12 @@ def test_two_kinds_of_zip_at_once_are_refused(more):
     assert (result.exit_code, result.stdout) == (2, "")
     assert "--hosted and --scorm" in result.stderr
     assert "do not go together" in result.stderr
+
+
+@pytest.mark.parametrize(("kind", "kept"), [("--scorm", False), ("--hosted", None)])
+def test_lessons_in_a_platform_are_not_kept_by_browsers_for_later(kind, kept, monkeypatch):
+    """A first visit would load the whole site, and each new package leave the old one behind."""
+    asked = {}
+    monkeypatch.setattr("sim.cli.site.pack.build_site", lambda *_, **how: asked.update(how))
+    CliRunner().invoke(main, ["pack", kind])
+    assert asked["settings"].get("offline") is kept

@@ -83,6 +83,8 @@ def command(
         settings: dict[str, object] = {"teacher_mode": teacher or bool(teacher_word)}
         if teacher or teacher_word:  # --teacher alone asks for no word, whatever mkdocs.yml says
             settings["teacher_word"] = teacher_word or ""
+        if kind == "scorm":  # a platform asks for a login: no browser need keep all of it
+            settings["offline"] = False
         on_web = kind != "stick"
         site = build_site(here.root, hosted=on_web, strict=True, site_dir=place, settings=settings)
         if site is None:

@@ -16,6 +16,7 @@ import sim
 PAGE = "scorm.html"
 SCRIPT = "scorm.js"
 MANIFEST = "imsmanifest.xml"
+_LONGEST_TITLE = 200  # that the schema of a manifest allows
 _POLICY = "default-src 'none'; script-src 'self'; style-src 'self'; frame-src 'self'"
 _HTML = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8">
@@ -44,6 +45,7 @@ def scorm_files(title: str, site_id: str, names: Iterable[str]) -> dict[str, byt
 
 
 def _manifest(title: str, site_id: str, names: Iterable[str]) -> str:
+    title = title[:_LONGEST_TITLE]
     files = "\n".join(f"      <file href={quoteattr(name)}/>" for name in sorted(names))
     return f"""<?xml version="1.0" encoding="UTF-8"?>
 <manifest identifier={quoteattr(f"carts-{site_id}")} version="1.0"

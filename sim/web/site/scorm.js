@@ -25,6 +25,9 @@
   if (!platform) return;
   const began = Date.now();
   if (String(platform.LMSInitialize("")) !== "true") return;
+  // Else a platform may begin anew at the next visit, and forget what was handed in. Said at once:
+  // of what a page says when it goes, some browsers bring nothing to the platform.
+  platform.LMSSetValue("cmi.core.exit", "suspend");
   // What a platform or a teacher has set already ("completed", "passed" …) is never taken back.
   const open = ["", "not attempted", "incomplete", "browsed"];
   const begun = () => open.includes(String(platform.LMSGetValue("cmi.core.lesson_status") ?? ""));

@@ -13,6 +13,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from sim.cli.site.pack import pack_site
+from sim.pages.classroom.scorm import scorm_files
 from tests.web.conftest import OpenPage
 from tests.web.runtime.boot_site import ROOT
 from tests.web.scene.given.widget_site import in_node
@@ -79,6 +80,11 @@ def test_the_manifest_lists_every_file_and_is_xml(package: Path) -> None:
     assert resource.get("identifier") == item.get("identifierref")
 
 
+def test_a_title_longer_than_the_schema_allows_is_cut_in_the_manifest() -> None:
+    manifest = scorm_files("é" * 201, "tests", [])["imsmanifest.xml"].decode()
+    assert set(re.findall("<title>(.*)</title>", manifest)) == {"é" * 200}
+
+
 def test_equal_sites_give_equal_zips(package: Path, tmp_path: Path) -> None:
     again = tmp_path / "again.zip"
     pack_site(tmp_path / "site", again, scorm=("Carts & <springs>", "tests"))
@@ -138,6 +144,20 @@ def test_what_was_handed_in_makes_it_complete_and_nothing_else_does(
 
 @pytest.mark.one_browser
 @pytest.mark.browser
+def test_who_comes_back_goes_on_and_what_was_handed_in_stays(
+    package: Path, site_server: Callable[[Path], str], open_page: OpenPage
+) -> None:
+    """A platform may begin anew at the next visit, unless a visit ends as interrupted."""
+    page = on_a_platform(package, site_server, open_page)
+    page.frame_locator("iframe").frame_locator("iframe").locator("#form").click()
+    page.evaluate("document.querySelector('iframe').src = 'about:blank'")
+    page.wait_for_function("window.API.isTerminated()")
+    kept = page.evaluate("window.API.cmi.core.toJSON()")
+    assert (kept["exit"], kept["lesson_status"]) == ("suspend", "completed")
+
+
+@pytest.mark.one_browser
+@pytest.mark.browser
 def test_what_the_platform_has_settled_is_not_taken_back(
     package: Path, site_server: Callable[[Path], str], open_page: OpenPage
 ) -> None:
@@ -182,7 +202,8 @@ def test_only_a_status_that_is_open_is_changed_and_all_else_goes_on(before: str)
     )
     changes = ["incomplete", "completed"][: BEGUN[before]]
     status = ["cmi.core.lesson_status", "commit"] * len(changes)
-    assert said == [[before, *changes], [*status, "cmi.core.session_time", "commit", "finish"]]
+    left = ["cmi.core.session_time", "commit", "finish"]
+    assert said == [[before, *changes], ["cmi.core.exit", *status, *left]]
 
 
 def test_the_package_listens_to_what_the_lessons_tell() -> None:
