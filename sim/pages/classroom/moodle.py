@@ -80,7 +80,12 @@ def _parts(q: Portable) -> list[str]:
         ]
     if q.shape == "pairs":
         pairs = [*q.pairs, *(("", other) for other in q.others)]
-        return ["<shuffleanswers>true</shuffleanswers>", *(_pair(*pair) for pair in pairs)]
+        # Right sides are shuffled always; left ones are the places of an ordering: first, second …
+        shuffled = "false" if q.order else "true"
+        return [
+            f"<shuffleanswers>{shuffled}</shuffleanswers>",
+            *(_pair(*pair) for pair in pairs),
+        ]
     rubric = "".join(f"<p>{marks}: {escape(text)}</p>" for marks, text in q.rubric.items())
     # Into a plain field a platform writes the template as it is: marks of HTML would be seen.
     start = _cdata(q.start)

@@ -188,6 +188,16 @@ def test_texts_stand_as_they_are_for_moodle_drops_blanks_between_escaped_signs()
     assert "<text><![CDATA[a < & > b]]></text>" in made
 
 
+@pytest.mark.parametrize(("order", "shuffled"), [((), "true"), (("a", "b"), "false")])
+def test_places_of_an_ordering_keep_their_order_in_moodle(
+    order: tuple[str, ...], shuffled: str
+) -> None:
+    pairs = (("1.", "a"), ("2.", "b"))
+    made = moodle_xml("A", [Portable(id="p", shape="pairs", ask="?", marks=1, pairs=pairs,
+                                     order=order)])  # fmt: skip
+    assert f"<shuffleanswers>{shuffled}</shuffleanswers>" in made
+
+
 @pytest.mark.parametrize("name", BANKS)
 def test_moodle_xml_holds_every_question_answer_and_feedback(name: str) -> None:
     made = moodle_xml(BANKS[name].title, TAKEN[name])
