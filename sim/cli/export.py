@@ -38,7 +38,7 @@ WRITERS: dict[str, Callable[[str, Sequence[Portable]], str]] = {
 @dataclass(frozen=True, slots=True)
 class _Asked:
     """What a file asks: `forms` by name, each with its questions; `stays`: what cannot go along;
-    `language`: "" where nothing says it."""
+    `language`: "" where nothing says it; `exams`: forms that give no feedback."""
 
     title: str
     questions: Mapping[str, Question]
@@ -46,6 +46,11 @@ class _Asked:
     about: Mapping[str, str] = field(default_factory=dict)
     stays: tuple[str, ...] = ()
     language: str = ""
+    exams: frozenset[str] = frozenset()
+
+    def is_exam(self, form: str | None) -> bool:
+        """Whether the form is one; without a form, whether there is nothing else."""
+        return form in self.exams if form else bool(self.exams) and self.exams >= set(self.forms)
 
 
 @click.command("export")
@@ -110,7 +115,14 @@ def command(
     shown_from = path.parent if path.suffix == ".md" else path.parent.parent
     pictures = pictures_of(shown_from, Path.cwd())
     made = (
-        qti_package(asked.title, taken, pictures, name=name, language=asked.language)
+        qti_package(
+            asked.title,
+            taken,
+            pictures,
+            name=name,
+            language=asked.language,
+            feedback=not asked.is_exam(form),
+        )  # fmt: skip
         if target == "qti"
         else WRITERS[target](asked.title, taken)
     )
@@ -141,4 +153,5 @@ def _of_lesson(path: Path, language: str | None) -> _Asked:
     forms = {name: [q.id for q in part] for name, part in asks.parts.items()}
     stays = tuple(f"{scene}: what is predicted before its run stays here"
                   for scene in asks.predicted)  # fmt: skip
-    return _Asked(asks.title or path.stem, questions, forms, asks.about, stays, spoken)
+    exams = frozenset(one.form for one in asks.forms if one.mode == "exam")
+    return _Asked(asks.title or path.stem, questions, forms, asks.about, stays, spoken, exams)

@@ -147,7 +147,8 @@ def test_a_platform_gives_the_marks_and_the_feedback_of_the_pages(name: str) -> 
     for q in taken:
         if q.shape == "essay":
             continue
-        question, platform = bank.items[q.id], Platform(files[f"items/{q.id}.xml"])
+        question = bank.items[q.id]
+        platform = Platform(files[f"items/{q.id}.xml"], files["test.xml"])
         assert platform.answer(platform.correct)[0] == q.marks
         assert platform.answer(None) == (0, [])
         for sent, kept in tries(question, q):
@@ -223,6 +224,27 @@ def test_a_package_speaks_the_language_of_its_page_and_a_bank_says_none(
     with zipfile.ZipFile("a.zip") as archive:
         item = ElementTree.fromstring(archive.read("items/a.xml"))
     assert item.get(LANG) == language
+
+
+@pytest.mark.parametrize(
+    ("words", "shows"),
+    [("newtons-third-law.md", True), ("newtons-third-law.md --form worksheet", True),
+     ("test-forces-and-motion.md", False), ("test-forces-and-motion.md --form pre", False),
+     ("banks/forces-and-motion.yml --form test-15", True)],
+)  # fmt: skip
+def test_feedback_is_shown_but_in_a_form_that_is_an_exam(
+    words: str, shows: bool, tmp_path: Path
+) -> None:
+    path, *more = words.split()
+    out = str(tmp_path / "a.zip")
+    asked = ["export", str(ROOT / "worksheets" / path), *more, "--to", "qti", "--out", out]
+    result = CliRunner().invoke(main, asked)
+    assert result.exit_code == 0, result.output
+    with zipfile.ZipFile(out) as archive:
+        items = [name for name in archive.namelist() if name.startswith("items/")]
+        test = archive.read("test.xml")
+        assert Platform(archive.read(items[0]), test).shows is shows
+    assert mistakes(ElementTree.fromstring(test)) == []
 
 
 def test_equal_banks_give_equal_packages(tmp_path: Path) -> None:

@@ -10,9 +10,14 @@ from tests.pages.given.qti_rules import ITEM, local
 
 
 class Platform:
-    """Marks an answer by the rules of an item, as the model of QTI says."""
+    """Marks an answer by the rules of an item, as the model of QTI says; what it shows, the test
+    says that the item stands in."""
 
-    def __init__(self, content: bytes) -> None:
+    def __init__(self, content: bytes, test: bytes) -> None:
+        (part,) = ElementTree.fromstring(test).findall(f"{{{ITEM}}}qti-test-part")
+        control = part.find(f"{{{ITEM}}}qti-item-session-control")
+        allowed = control is not None and control.get("show-feedback") == "true"
+        self.shows = allowed and part.get("submission-mode") == "individual"
         self.root = ElementTree.fromstring(content)
         declared = self.root.find(f"{{{ITEM}}}qti-response-declaration")
         assert declared is not None
@@ -43,7 +48,7 @@ class Platform:
         for text in self.root.iter(f"{{{ITEM}}}qti-modal-feedback"):
             value = self.values.get(str(text.get("outcome-identifier")))
             names = value if isinstance(value, list) else [value]
-            if text.get("identifier") in names:
+            if self.shows and text.get("identifier") in names:
                 shown.append("".join(text.itertext()))
         return float(self.values["SCORE"]), shown
 

@@ -82,7 +82,8 @@ RULES: dict[str, tuple[str, str, str, bool]] = {
         "identifier title", "",
         "(qti-outcome-declaration )*(qti-test-part )+(qti-outcome-processing )?", False),
     "qti-test-part": ("identifier navigation-mode submission-mode", "",
-                      "(qti-assessment-section )+", False),
+                      "(qti-item-session-control )?(qti-assessment-section )+", False),
+    "qti-item-session-control": ("", "max-attempts show-feedback", "", False),
     "qti-assessment-section": ("identifier title visible", "", "(qti-assessment-item-ref )*",
                                False),
     "qti-assessment-item-ref": ("identifier href", "", "", False),
@@ -111,7 +112,7 @@ BASE = "directedPair|float|identifier|string"
 VALUES: dict[str, str] = {
     "cardinality": "single|multiple|ordered", "base-type": BASE, "shuffle": YES_NO,
     "adaptive": YES_NO, "time-dependent": YES_NO, "visible": YES_NO, "case-sensitive": YES_NO,
-    "max-choices": COUNT, "max-associations": COUNT, "match-max": COUNT, "expected-lines": COUNT,
+    "show-feedback": YES_NO, "max-attempts": COUNT, "max-choices": COUNT, "max-associations": COUNT, "match-max": COUNT, "expected-lines": COUNT,
     "expected-length": COUNT, "default-value": DOUBLE, "mapped-value": DOUBLE,
     "normal-minimum": DOUBLE, "normal-maximum": DOUBLE.removeprefix("-?"),
     "external-scored": "human|externalMachine", "show-hide": "show|hide", "view": "scorer",

@@ -28,16 +28,17 @@ def qti_package(
     *,
     name: str,
     language: str = "",
+    feedback: bool = True,
 ) -> bytes:
     """The zip; `title` names the test for people, `name` for programs; `language`: as in
-    `xml:lang`, where it is known."""
+    `xml:lang`, where it is known; `feedback`: shown after each answer, as no exam does."""
     items = list(questions)
     packed = Packed(pictures)
     made = {q.id: packed.item(qti_item(q, language)) for q in items}
     shown = {name: [f"{ITEMS}/{path}" for path in paths] for name, (_, paths) in made.items()}
     files = {
         "imsmanifest.xml": _manifest(title, _identifier(name), language, items, shown).encode(),
-        TEST: _test(title, _identifier(name), items).encode(),
+        TEST: _test(title, _identifier(name), items, feedback).encode(),
         **{_path(q): made[q.id][0].encode() for q in items},
         **{f"{ITEMS}/{path}": content for path, content in packed.files.items()},
     }
@@ -60,7 +61,10 @@ def _identifier(name: str) -> str:
     return f"carts-{re.sub('[^a-z0-9]+', '-', plain).strip('-') or 'bank'}"
 
 
-def _test(title: str, identifier: str, items: Sequence[Portable]) -> str:
+def _test(title: str, identifier: str, items: Sequence[Portable], feedback: bool) -> str:
+    # Feedback is shown of what is handed in one by one, and only where a test says so.
+    mode = "individual" if feedback else "simultaneous"
+    shown = ['<qti-item-session-control max-attempts="1" show-feedback="true"/>'] * feedback
     refs = [
         f'<qti-assessment-item-ref identifier={xml_attribute(q.id)} '
         f"href={xml_attribute(_path(q))}/>"
@@ -72,7 +76,8 @@ def _test(title: str, identifier: str, items: Sequence[Portable]) -> str:
         f"title={xml_attribute(title)}>",
         '<qti-outcome-declaration identifier="SCORE" cardinality="single" base-type="float"/>',
         '<qti-test-part identifier="part-1" navigation-mode="nonlinear" '
-        'submission-mode="simultaneous">',
+        f'submission-mode="{mode}">',
+        *shown,
         f'<qti-assessment-section identifier="section-1" title={xml_attribute(title)} '
         'visible="true">',
         *refs,
