@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -15,24 +15,24 @@ from sim.lesson import Question
 from sim.pages.classroom.gift import gift
 from sim.pages.classroom.losses import Target, fitting, losses
 from sim.pages.classroom.moodle import moodle_xml
-from sim.pages.classroom.portable import Portable, portable
+from sim.pages.classroom.pictures import pictures_of
+from sim.pages.classroom.portable import portable
+from sim.pages.classroom.qti.mathml import formulas_by
 from sim.pages.classroom.qti.package import qti_package
-from sim.pages.classroom.qti.pictures import pictures_of
 from sim.pages.findings import AuthorError
 from sim.pages.language import ENGLISH, speaking, words
 from sim.pages.language.catalogue import of_page
 from sim.pages.question.of_lesson import lesson_asks
 from sim.pages.question.quiz import read_bank_text
+from sim.pages.site.carried import node_modules
 from sim.pages.text.author_text import author_text
+from sim.pages.text.formulas import KATEX
 from sim.pages.text.front_matter import stated_language
-from sim.pages.translate.catalogues import OTHERS
+from sim.pages.translate.catalogues import OTHERS, lessons_folder, source_of
 from sim.pages.translate.in_languages import in_languages
+from sim.pages.translate.translation import part_of
 
 ENDINGS = {"moodle": ".moodle.xml", "gift": ".gift.txt", "qti": ".qti.zip"}
-WRITERS: dict[str, Callable[[str, Sequence[Portable]], str]] = {
-    "moodle": moodle_xml,
-    "gift": gift,
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +67,7 @@ class _Asked:
 @click.option(
     "--language",
     type=click.Choice(sorted(OTHERS)),
-    help="A lesson in the language of one of its catalogues.",
+    help="In the language of one of its catalogues.",
 )
 @click.option(
     "--out",
@@ -92,6 +92,7 @@ def command(
     carts export worksheets/newtons-second-law.md
     carts export worksheets/newtons-second-law.md --form worksheet --language ms
     carts export worksheets/banks/forces-and-motion.yml --form test-15 --to gift
+    carts export worksheets/banks/forces-and-motion.yml --language ta
     carts export worksheets/banks/forces-and-motion.yml --to qti
     """
     try:
@@ -114,31 +115,37 @@ def command(
     # a bank lies in a folder beside the lessons that show its questions
     shown_from = path.parent if path.suffix == ".md" else path.parent.parent
     pictures = pictures_of(shown_from, Path.cwd())
-    made = (
-        qti_package(
-            asked.title,
-            taken,
-            pictures,
-            name=name,
-            language=asked.language,
-            feedback=not asked.is_exam(form),
+    formulas = formulas_by(node_modules(Path.cwd()) / KATEX)
+    made: str | bytes
+    if target == "qti":
+        feedback = not asked.is_exam(form)
+        made = qti_package(
+            asked.title, taken, pictures, formulas,
+            name=name, language=asked.language, feedback=feedback,
         )  # fmt: skip
-        if target == "qti"
-        else WRITERS[target](asked.title, taken)
-    )
+    elif target == "gift":
+        made = gift(asked.title, taken)
+    else:
+        made = moodle_xml(asked.title, taken, pictures)
     write_out(out, made, "--out FILE")
     click.echo(f"{out}: {len(taken)} {'question' if len(taken) == 1 else 'questions'}")
-    for sentence in (*left, *refused, *losses(taken, target, pictures), *asked.stays):
+    for sentence in (*left, *refused, *losses(taken, target, pictures, formulas), *asked.stays):
         click.echo(sentence, err=True)
 
 
 def _of_bank(path: Path, language: str | None) -> _Asked:
+    text, file, part = author_text(path, path.as_posix()), path.as_posix(), None
     if language:
-        raise click.UsageError("--language belongs to a lesson (.md)")
-    found, findings = read_bank_text(author_text(path, path.as_posix()), path.as_posix())
+        whole = path.resolve()
+        source = source_of(whole, lessons_folder(whole), language)
+        if source.by_hand or not source.catalogue.is_file():
+            raise click.UsageError(f"{path.name} is not translated: no catalogue in “{language}”")
+        part = part_of(source, Path.cwd())
+        text, file = part.made.text, part.file
+    found, findings = read_bank_text(text, file)
     if found is None:
-        raise AuthorError(findings)
-    return _Asked(found.title, found.items, found.forms)
+        raise AuthorError([part.finding(one) if part else one for one in findings])
+    return _Asked(found.title, found.items, found.forms, language=language or "")
 
 
 def _of_lesson(path: Path, language: str | None) -> _Asked:

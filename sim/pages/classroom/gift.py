@@ -5,15 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from sim.pages.classroom.moodle import literal, plain_text
+from sim.pages.classroom.moodle_text import category, literal, plain_text
 from sim.pages.classroom.portable import Portable
 
 _SPECIAL = re.compile(r"([~=#{}:\\])")
+_FORMAT = re.compile(r"\[(?=(?:html|plain|moodle|markdown)\])")  # at a beginning, it is taken away
 
 
 def gift(title: str, questions: Iterable[Portable]) -> str:
     """The file; `title` names the category."""
-    head = f"$CATEGORY: $course$/top/{title.replace('/', '//')}"
+    head = f"$CATEGORY: {category(title)}"
     return "\n\n".join([head, *map(_question, questions)]) + "\n"
 
 
@@ -43,13 +44,22 @@ def _answer(q: Portable, text: str, percent: float, feedback: str) -> str:
         weight = f"{percent:.5f}".rstrip("0").rstrip(".")
         return f"\n~%{weight}%{_text(text)}{said}"
     if q.shape == "short":
-        weight = "" if percent == 100 else f"%{percent:.0f}%"
-        return f"\n={weight}{literal(_text(text))}{said}"
-    return f"\n{'=' if percent == 100 else '~'}{_text(text)}{said}"
+        as_typed = "[plain]" if _FORMAT.match(text) else ""
+        return f"\n={_weight(percent, 100, text)}{as_typed}{literal(_marked(text))}{said}"
+    # Of a right choice Moodle reads no weight: it would stand in the text.
+    return f"\n{'=' if percent == 100 else '~' + _weight(percent, 0, text)}{_text(text)}{said}"
+
+
+def _weight(percent: float, usual: float, text: str) -> str:
+    """A share of the marks, where it is not the usual one or the text could be taken for one."""
+    return f"%{percent:.0f}%" if percent != usual or text.startswith("%") else ""
 
 
 def _text(html: str) -> str:
-    """HTML, marked; an arrow stands in it in HTML's way, for a bare one divides pairs."""
+    """HTML, marked; what GIFT reads in its own way stands in it in HTML's: an arrow divides pairs,
+    a word in brackets names a format."""
+    if _FORMAT.match(html):
+        html = "&#91;" + html[1:]
     return _marked(html).replace("->", "-&gt;")
 
 

@@ -16,7 +16,8 @@ from click.testing import CliRunner
 from sim.cli import main
 from sim.pages.classroom.gift import gift
 from sim.pages.classroom.losses import losses
-from sim.pages.classroom.moodle import moodle_xml, plain_text
+from sim.pages.classroom.moodle import moodle_xml
+from sim.pages.classroom.moodle_text import plain_text
 from sim.pages.classroom.portable import Portable, portable
 from sim.pages.question.key_page import lesson_key
 from sim.pages.question.quiz import read_bank_text

@@ -28,6 +28,7 @@ from sim.pages.classroom.qti.xhtml import blocks, flow
 from tests.pages.given.banks import OWN, read
 from tests.pages.given.qti_platform import Platform
 from tests.pages.given.qti_rules import ITEM, LANG, NAME, PACKAGE, local, mistakes
+from tests.pages.given.zipped import in_zip
 
 ROOT = Path(__file__).parents[3]
 GOLDEN = ROOT / "tests" / "golden" / "exports" / "every-kind.yml"
@@ -53,9 +54,7 @@ BANKS = {"every-kind": read(GOLDEN), "own": read(OWN), "more": more()}
 
 def unpacked(bank: Bank) -> dict[str, bytes]:
     taken, _ = portable(bank.items.values())
-    with zipfile.ZipFile(io.BytesIO(qti_package(bank.title, taken, name="bank"))) as archive:
-        assert archive.testzip() is None
-        return {name: archive.read(name) for name in archive.namelist()}
+    return in_zip(qti_package(bank.title, taken, name="bank"))
 
 
 @pytest.mark.parametrize("name", BANKS)

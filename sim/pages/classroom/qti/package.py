@@ -7,9 +7,11 @@ import re
 import zipfile
 from collections.abc import Iterable, Mapping, Sequence
 
+from sim.pages.classroom.pictures import Pictures, no_pictures
 from sim.pages.classroom.portable import Portable
 from sim.pages.classroom.qti.item import HEAD, INSTANCE, NAMESPACE, SCHEMA, qti_item
-from sim.pages.classroom.qti.pictures import Packed, Pictures, no_pictures
+from sim.pages.classroom.qti.mathml import Formulas, no_formulas, with_mathml
+from sim.pages.classroom.qti.pictures import Packed
 from sim.pages.classroom.qti.xhtml import xml_attribute, xml_text
 
 PACKAGE = "http://www.imsglobal.org/xsd/qti/qtiv3p0/imscp_v1p1"
@@ -25,6 +27,7 @@ def qti_package(
     title: str,
     questions: Iterable[Portable],
     pictures: Pictures = no_pictures,
+    formulas: Formulas = no_formulas,
     *,
     name: str,
     language: str = "",
@@ -34,7 +37,7 @@ def qti_package(
     `xml:lang`, where it is known; `feedback`: shown after each answer, as no exam does."""
     items = list(questions)
     packed = Packed(pictures)
-    made = {q.id: packed.item(qti_item(q, language)) for q in items}
+    made = {q.id: packed.item(with_mathml(qti_item(q, language), formulas)) for q in items}
     shown = {name: [f"{ITEMS}/{path}" for path in paths] for name, (_, paths) in made.items()}
     files = {
         "imsmanifest.xml": _manifest(title, _identifier(name), language, items, shown).encode(),

@@ -4,39 +4,13 @@ have, and a platform may refuse the whole package for one."""
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
-from functools import cache
 from html import unescape
-from pathlib import Path
-from urllib.parse import unquote
 from xml.sax.saxutils import escape
 
-Pictures = Callable[[str], bytes | None]
-"""What a picture of a site holds, by its address in a question; None: it is not there."""
+from sim.pages.classroom.pictures import ELSEWHERE, Pictures, numbered
 
 _SHOWN = re.compile(r"""<img src=(["'])(.*?)\1 alt=(["'])(.*?)\3/>""")
-_ELSEWHERE = re.compile(r"[a-z][a-z0-9+.-]*:|//", re.IGNORECASE)
-_PLAIN = re.compile(r"[^A-Za-z0-9.]+")
-_ENDINGS = (".png", ".jpg", ".jpeg", ".gif", ".svg", ".webp")
 FOLDER = "pictures"  # beside the items
-
-
-def no_pictures(_: str) -> None:
-    """For questions from nowhere."""
-
-
-def pictures_of(folder: Path, site: Path) -> Pictures:
-    """Pictures named from `folder`; what does not lie in `site` is not handed on."""
-
-    @cache  # asked for when the package is made, and when what is lost is told
-    def read(address: str) -> bytes | None:
-        if _ELSEWHERE.match(address):
-            return None
-        file = (folder / unquote(address)).resolve()
-        inside = file.is_relative_to(site.resolve()) and file.suffix.lower() in _ENDINGS
-        return file.read_bytes() if inside and file.is_file() else None
-
-    return read
 
 
 class Packed:
@@ -53,7 +27,7 @@ class Packed:
 
         def shown(found: re.Match[str]) -> str:
             address = unescape(found[2])
-            if _ELSEWHERE.match(address):
+            if ELSEWHERE.match(address):
                 return found[0]
             path = self._path(address)
             if path is None:
@@ -68,7 +42,6 @@ class Packed:
             content = self._read(address)
             if content is None:
                 return None
-            name = _PLAIN.sub("-", unquote(address).rpartition("/")[2])
-            path = f"{FOLDER}/{len(self.files) + 1}-{name}"  # two folders may have the same name
+            path = f"{FOLDER}/{numbered(len(self.files) + 1, address)}"
             self._paths[address], self.files[path] = path, content
         return self._paths[address]
