@@ -80,11 +80,7 @@ def command(
     out = out or here.root / "build" / KINDS[kind]
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder) / "site"
-        settings: dict[str, object] = {"teacher_mode": teacher or bool(teacher_word)}
-        if teacher or teacher_word:  # --teacher alone asks for no word, whatever mkdocs.yml says
-            settings["teacher_word"] = teacher_word or ""
-        if kind == "scorm":  # a platform asks for a login: no browser need keep all of it
-            settings["offline"] = False
+        settings = _settings(kind, teacher, teacher_word or "")
         on_web = kind != "stick"
         site = build_site(here.root, hosted=on_web, strict=True, site_dir=place, settings=settings)
         if site is None:
@@ -97,6 +93,16 @@ def command(
     click.echo(f"{out}: {size_of(out)}")
     if kind in HOW:
         click.echo(HOW[kind])
+
+
+def _settings(kind: str, teacher: bool, word: str) -> dict[str, object]:
+    """Of the site in the zip, in place of those in mkdocs.yml."""
+    settings: dict[str, object] = {"teacher_mode": teacher or bool(word)}
+    if teacher or word:  # --teacher alone asks for no word, whatever mkdocs.yml says
+        settings["teacher_word"] = word
+    if kind == "scorm":  # a platform asks for a login: no browser need keep all of it
+        settings["offline"] = False
+    return settings
 
 
 def _kind(forms: dict[str, bool]) -> str:
