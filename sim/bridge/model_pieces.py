@@ -1,8 +1,15 @@
 """The pieces of the plain program that `model_text` puts together."""
 
+NEARLY = "It goes in small steps of time, so it is nearly right."
+
+TOO_LONG = """\
+Do not trust its numbers: these values ask for steps of {wanted} s. Its own are {dt} s,
+# or it would take too long. Make until smaller, and then dt."""
+
 HEAD = """\
 # {title}: a model in plain Python. It needs nothing else.
-# It goes in small steps of time, so it is nearly right. The lesson computes the same run exactly.
+# {near}
+# The lesson computes the same run exactly.
 from math import copysign, sqrt
 
 names = {names}

@@ -1,8 +1,9 @@
 """A scene as a program in plain Python, for readers who want to see all of a model, and change it.
 
 It steps (semi-implicit Euler, dt a hundredth of the shortest quarter swing), so it is nearly right
-where the run is exact, and it holds only what its scene calls for: each effect and each kind of
-contact is a piece of text that is left out where nothing needs it.
+where the run is exact; where that would take too many steps, it says so. It holds only what its
+scene calls for: each effect and each kind of contact is a piece of text that is left out where
+nothing needs it.
 """
 
 from __future__ import annotations
@@ -41,7 +42,10 @@ def model_text(scene: Scene) -> str:
     sudden = any(contact.sudden for contact in contacts)
     joins = bool(joining) or any(one.joins for one in pieces)
     kicked = joins or sudden
+    wanted, dt = _step(scene)
+    near = text_of.NEARLY if dt <= wanted else text_of.TOO_LONG.format(dt=dt, wanted=wanted)
     text = text_of.HEAD.format(
+        near=near,
         title=" ".join((scene.title or "Carts").split()),
         names=[cart.name for cart in scene.carts],
         mass=[cart.mass for cart in scene.carts],
@@ -50,7 +54,7 @@ def model_text(scene: Scene) -> str:
         half=[cart.length / 2 for cart in scene.carts],
         end=scene.track.length,
         until=scene.until,
-        dt=_step(scene),
+        dt=dt,
         contacts="".join(f"    {row},\n" for row in rows),
     )
     text += _lists(scene, own)
@@ -127,8 +131,8 @@ def _reduced(scene: Scene, k: int) -> float:
     return reduced_mass(*masses[k : k + 2])
 
 
-def _step(scene: Scene) -> float:
-    """s. A round number."""
+def _step(scene: Scene) -> tuple[float, float]:
+    """s. The step that the scene asks for, and the one that is taken: round numbers."""
     step = scene.until / FEWEST
     for k, contact in enumerate(scene.contacts):
         law = None if contact is None else contact_law(contact)
@@ -136,7 +140,9 @@ def _step(scene: Scene) -> float:
             swing = math.sqrt(_reduced(scene, k) / law.steepest)
             step = min(step, 0.5 * math.pi * swing / PARTS)
     for effect in scene.effects:
-        quarter = piece_of(effect.kind, scene).quarter
-        if quarter is not None:
-            step = min(step, quarter(effect, scene) / PARTS)
-    return float(f"{max(step, scene.until / MOST_STEPS):.2g}")
+        shortest = piece_of(effect.kind, scene).shortest
+        if shortest is not None:
+            step = min(step, shortest(effect, scene) / PARTS)
+    least = scene.until / MOST_STEPS
+    wanted, taken = (float(f"{one:.2g}") for one in (step, max(step, least)))
+    return wanted, taken

@@ -24,8 +24,8 @@ class Piece:
     `contact` stands in the loop over the contacts, where the overlap d, its rate s and the number k
     of one are known, before its force. `force` adds to the forces of a step. `move` takes the place
     of the lines that move the carts. `after` stands at the end of the step, with what it needs
-    after it. `joins`: carts may move as one. `quarter` [s]: the shortest quarter swing, which the
-    program's step has to resolve.
+    after it. `joins`: carts may move as one. `shortest` [s]: the shortest time in which its force
+    changes what moves (a quarter swing, a fading), which the program's step has to resolve.
     """
 
     name: str
@@ -36,7 +36,7 @@ class Piece:
     move: str = ""
     after: str = ""
     joins: bool = False
-    quarter: Callable[[Effect, Scene], float] | None = None
+    shortest: Callable[[Effect, Scene], float] | None = None
 
 
 def piece_of(kind: str, scene: Scene) -> Piece:

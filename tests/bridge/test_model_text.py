@@ -64,6 +64,54 @@ def test_the_program_of_each_law_gives_back_as_much_as_the_law(law: str, e: floa
     assert program["v"] == pytest.approx(run(scene).v, abs=NEAR_ALONE)
 
 
+@pytest.mark.parametrize("at", [1.0, 1.00013])
+@pytest.mark.parametrize("lasts", [0.004, 1e-4])
+def test_a_push_gives_all_its_impulse_however_short_beside_a_step(at: float, lasts: float) -> None:
+    plain = {
+        "carts": {"A": {"mass": 0.5, "position": 0.5}},
+        "effects": [{"push": {"cart": "A", "force": 10, "from": at, "until": at + lasts}}],
+        "until": 60,
+    }
+    (v,) = played(model_text(read_scene(plain)))["v"]  # type: ignore[misc]
+    assert v == pytest.approx(10 * lasts / 0.5, rel=1e-9)
+
+
+TWO = {
+    "A": {"mass": 0.01, "position": 0.5, "velocity": 2},
+    "B": {"mass": 0.03, "position": 1.0},
+}
+MU = 0.0075  # kg
+QUICK: dict[str, tuple[dict[str, object], float]] = {
+    "drag": ({"drag": {"linear": 50, "quadratic": 75}}, 0.01 / (50 + 75 * 2)),
+    # C/(2 r²) = ½ μ u² at r = 1 mm; there 1/w² = μ r⁴/(3 C)
+    "magnets": (
+        {"magnets": {"between": ["A", "B"], "strength": 3e-8, "power": 3}},
+        math.pi / 2 * math.sqrt(MU * 1e-3**4 / 9e-8),
+    ),
+    "a spring's damper": (
+        {"spring": {"between": ["A", "B"], "stiffness": 1, "length": 0.4, "damping": 150}},
+        0.005 / 150,
+    ),
+}
+
+
+@pytest.mark.parametrize(("effect", "takes"), QUICK.values(), ids=QUICK)
+def test_a_hundred_steps_are_as_long_as_what_the_quickest_effect_takes(
+    effect: dict[str, object], takes: float
+) -> None:
+    text = model_text(read_scene({"carts": TWO, "effects": [effect], "until": 0.5}))
+    dt = float(played(text.split("\nprint(")[0])["dt"])  # type: ignore[arg-type]
+    assert 100 * dt == pytest.approx(takes, rel=0.05)
+
+
+@pytest.mark.parametrize(("until", "near"), [(1, True), (1000, False)])
+def test_a_program_with_too_long_steps_says_so(until: float, near: bool) -> None:
+    contact = {"stiffness": 1e6, "restitution": 0.9}
+    text = model_text(read_scene({"carts": TWO, "contact": contact, "until": until}))
+    assert ("nearly right" in text) == near
+    assert ("Do not trust its numbers" in text) == (not near)
+
+
 @pytest.mark.parametrize("law", ["paper", "push-only", "hertz"])
 def test_what_sticks_together_meets_a_wall_as_one_in_the_program_too(law: str) -> None:
     """Its damper is that of both masses: it gives back as much as it says of their common speed."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from sim.effects.plain_model import Piece, Row
 from sim.effects.where import carts_of
 from sim.scene.effects import Effect
@@ -13,6 +15,14 @@ def _rows(effect: Effect, scene: Scene) -> list[Row]:
     return [(i, n["linear"], n["quadratic"]) for i in carts_of(effect, scene)]
 
 
+def _shortest(effect: Effect, scene: Scene) -> float:
+    """In which the lightest cart would lose the speed of the fastest one."""
+    n, carts = effect.numbers, [scene.carts[i] for i in carts_of(effect, scene)]
+    fastest = max(abs(cart.velocity) for cart in scene.carts)
+    held = n["linear"] + n["quadratic"] * fastest
+    return min(cart.mass for cart in carts) / held if held else math.inf
+
+
 PIECE = Piece(
     name="drags",
     says="cart, drag per speed, drag per speed squared",
@@ -21,4 +31,5 @@ PIECE = Piece(
     for i, linear, quadratic in drags:
         force[i] -= linear * v[i] + quadratic * v[i] * abs(v[i])
 """,
+    shortest=_shortest,
 )

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
+
 from sim.effects.plain_model import Piece, Row
-from sim.effects.where import pair_of
+from sim.effects.where import gap_of, pair_of
 from sim.scene.effects import Effect
 from sim.scene.model import Scene
 
@@ -17,6 +19,22 @@ def _rows(effect: Effect, scene: Scene) -> list[Row]:
     return [(*pair_of(effect, scene), n["strength"], n["power"])]
 
 
+def _shortest(effect: Effect, scene: Scene) -> float:
+    """A quarter swing, 1/w² = mu r^(n+1) / (n C), where the fastest two would turn round."""
+    n, strength = effect.numbers["power"], effect.numbers["strength"]
+    bodies = [scene.carts[i] for i in pair_of(effect, scene) if i is not None]
+    mu = 1.0 / math.fsum(1.0 / body.mass for body in bodies)
+    speeds = [0.0, *(cart.velocity for cart in scene.carts)]
+    in_play = 0.5 * mu * (max(speeds) - min(speeds)) ** 2 / strength  # of C
+    room = scene.gaps[gap_of(effect, scene)]
+    if n == 1:
+        nearest = room * math.exp(-in_play)
+    else:
+        nearest = room * (1.0 + (n - 1) * in_play * room ** (n - 1)) ** (1 / (1 - n))
+    nearest = max(nearest, float(NEAREST))
+    return 0.5 * math.pi * math.sqrt(mu * nearest ** (n + 1) / (n * strength))
+
+
 PIECE = Piece(
     name="magnets",
     says="left, right, strength C, power n",
@@ -25,4 +43,5 @@ PIECE = Piece(
     for left, right, strength, power in magnets:
         push_apart(force, left, right, strength / max(gap(left, right), {NEAREST}) ** power)
 """,
+    shortest=_shortest,
 )

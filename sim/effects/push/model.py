@@ -20,7 +20,7 @@ PIECE = Piece(
     rows=_rows,
     force="""\
     for i, size, start, stop in pushes:
-        if start <= t < stop:
-            force[i] += size
+        pushed = min(stop, t + dt) - max(start, t)  # s of this step
+        force[i] += size * max(pushed, 0.0) / dt
 """,
 )

@@ -65,7 +65,7 @@ def _with_springs(effect: Effect, scene: Scene) -> list[Row]:
     return [(*row, effect.numbers.get("stiffness")) for row in _rows(effect, scene)]
 
 
-def _quarter(effect: Effect, scene: Scene) -> float:
+def _shortest(effect: Effect, scene: Scene) -> float:
     k, gap = effect.numbers.get("stiffness"), gap_of(effect, scene)
     masses = (scene.carts[gap - 1].mass, scene.carts[gap].mass)
     return 0.5 * math.pi / math.sqrt(k * sum(1.0 / m for m in masses)) if k else math.inf
@@ -97,7 +97,7 @@ let_go = []  # springs that push: left, right, stiffness in N/m, full length in 
 """
     + LATCH.removeprefix("\n\n"),
     joins=True,
-    quarter=_quarter,
+    shortest=_shortest,
 )
 
 

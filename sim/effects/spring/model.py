@@ -15,9 +15,11 @@ def _rows(effect: Effect, scene: Scene) -> list[Row]:
     return [(*pair_of(effect, scene), n["stiffness"], n["length"], n["damping"])]
 
 
-def _quarter(effect: Effect, scene: Scene) -> float:
-    lightest = min(cart.mass for cart in scene.carts)
-    return 0.5 * math.pi * math.sqrt(lightest / 2 / effect.numbers["stiffness"])
+def _shortest(effect: Effect, scene: Scene) -> float:
+    """A quarter swing of the lightest two, or in which their damper takes their speed."""
+    half, n = min(cart.mass for cart in scene.carts) / 2, effect.numbers
+    swing = 0.5 * math.pi * math.sqrt(half / n["stiffness"])
+    return min(swing, half / n["damping"]) if n["damping"] else swing
 
 
 PIECE = Piece(
@@ -29,5 +31,5 @@ PIECE = Piece(
         pull = stiffness * (gap(left, right) - length) - damping * approach(left, right)
         push_apart(force, left, right, -pull)
 """,
-    quarter=_quarter,
+    shortest=_shortest,
 )
