@@ -102,3 +102,36 @@ def test_no_stiffness_is_named_where_carts_begin_squeezed_as_far_as_their_bumper
 def test_a_cart_without_a_bumper_asks_the_wall_to_give_way(bumper: str, told: int) -> None:
     carts = {"A": {"mass": 1, "position": 0.2, "velocity": 1, "bumper_length": bumper}}
     assert len(of(carts, track={"length": 2, "right": "wall"})) == told
+
+
+HARDLY = {"law": "bumper", "restitution": 1e-9}
+
+
+def test_a_bumper_that_hardly_springs_back_is_told_of_where_it_is_held_with_others() -> None:
+    carts = {
+        "A": {"mass": 1, "position": 0.2, "velocity": 1},
+        "B": {"mass": 1, "position": 0.6},
+        "C": {"mass": 1, "position": 0.8},
+    }
+    (told,) = warnings(run(read_scene({"carts": carts, "contact": HARDLY, "until": 2})))
+    assert told.code == "nearly-rigid"
+
+
+@pytest.mark.parametrize("meets", [False, True], ids=["never", "alone"])
+def test_nothing_is_told_of_one_that_meets_nobody_or_one_alone(meets: bool) -> None:
+    """Though elsewhere a group of carts is computed together."""
+    carts = {
+        "A": {"mass": 1, "position": 0.2, "velocity": 1},
+        "B": {"mass": 1, "position": 0.6},
+        "C": {"mass": 1, "position": 8, "velocity": 1 if meets else 0},
+        "D": {"mass": 1, "position": 8.5},
+    }
+    plain = {
+        "carts": carts,
+        "contact": {"pairs": {"C-D": HARDLY}},
+        "effects": [{"magnets": {"between": ["A", "B"], "strength": 0.001}}],
+        "until": 2,
+    }
+    done = run(read_scene(plain))
+    assert done.solvers["power-series"]
+    assert warnings(done) == ()

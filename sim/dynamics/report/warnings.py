@@ -116,8 +116,12 @@ def _is_pressed(scene: Scene, gap: int, law: ContactLaw, deepest: float, speed: 
 
 def _nearly_rigid(run: Run) -> list[Remark]:
     """Groups in which a bumper that hardly springs back was held instead."""
-    laws_here = [contact_law(contact) for contact in run.scene.contacts if contact is not None]
-    tiny = [law.e for law in laws_here if law is not None and 0.0 < law.e <= law.held_below]
+    record = run.record
+    pressed = set(record.deepest)
+    if record.solved_all:  # what met alone had its own formula
+        pressed &= {gap for part in record.solved if len(part.gaps) > 1 for gap in part.gaps}
+    laws = (None if (c := run.scene.contacts[gap]) is None else contact_law(c) for gap in pressed)
+    tiny = [law.e for law in laws if law is not None and 0.0 < law.e <= law.held_below]
     if "power-series" not in run.solvers or not tiny:
         return []
     return [
