@@ -57,7 +57,10 @@ def test_a_teacher_changes_a_scene_and_sees_it_and_takes_it_home(
     expect(mistake).to_contain_text("mass must be greater than 0")
     expect(mistake).to_contain_text("Cart A, mass: mass")  # by the name of its field
     page.click(".carts-teach-save")
-    expect(page.locator(".carts-teach-status")).to_contain_text("There are mistakes in it")
+    status = page.locator(".carts-teach-status")
+    expect(status).to_contain_text("There are mistakes in it")
+    expect(status).to_be_in_viewport(ratio=1)  # with its piece scrolled to the top
+    expect(page.locator(".carts-teach-piece[open] > summary")).to_be_in_viewport(ratio=0.95)
     assert re.fullmatch(rf".*:{line}:\d+", mistake.get_attribute("data-place") or "")
     at_its_field = page.locator(".carts-teach-note:visible")
     expect(at_its_field.filter(has_text="mass must be greater than 0")).to_have_count(1)
@@ -80,6 +83,8 @@ def test_text_between_and_questions_follow_too_and_a_draft_survives(
     page = open_teacher(open_page, lessons)
     waits = page.locator("carts-after[data-after]").count()
     assert waits
+    waiting = page.locator(".carts-q[data-after]:not([data-opened])").first
+    expect(waiting.locator(".carts-q-ask")).to_be_visible()  # as what it is changed into
     page.get_by_role("button", name="Change this question").first.click()
     field(page, "Question").fill("Who, *then*, is: right?")
     settled(page)
@@ -100,7 +105,7 @@ def test_text_between_and_questions_follow_too_and_a_draft_survives(
     page.wait_for_selector(".carts-teach[data-state=ready]", timeout=WAIT)  # by its #teacher
     expect(page.locator(".carts-teach-status")).to_contain_text("is back")
     assert saved(page) == changed
-    page.get_by_role("button", name="Published lesson").click()
+    page.get_by_role("button", name="Back to the published lesson").click()
     page.get_by_role("button", name="Yes, go back").click()
     settled(page)
     assert saved(page).decode() == withhold(source())
@@ -217,10 +222,13 @@ def test_it_can_be_used_with_the_keyboard_at_phone_size_and_axe_finds_nothing(
     pieces = page.locator(".carts-teach-piece > summary")
     listed = " ".join(pieces.all_inner_texts())
     assert not re.search(r"!!!|\{:|\*\*|\]\(", listed), "the list speaks as the page does"
+    assert max(pieces.evaluate_all("all => all.map((one) => one.offsetHeight)")) < 60, "one line"
+    expect(page.locator(".carts-teach-save")).to_be_in_viewport()
     for index in (0, 1, 4):
         pieces.nth(index).focus()
         page.keyboard.press("Enter")
     page.wait_for_selector(".carts-teach-piece:nth-child(5) .carts-teach-fields input")
+    expect(page.locator(".carts-teach-save")).to_be_in_viewport()
     page.keyboard.press("Tab")
     assert page.evaluate("document.activeElement.closest('.carts-teach-fields') !== null")
     wide = page.evaluate("document.documentElement.scrollWidth")

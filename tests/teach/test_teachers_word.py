@@ -56,6 +56,8 @@ def test_with_a_teachers_word_nothing_is_opened_before_it_is_given(
     page.keyboard.type("OWL")
     word.press("Enter")
     assert page.locator(".carts-teach-door [role=alert]").inner_text() == "That is not the word."
+    expect(word).to_have_attribute("aria-invalid", "true")
+    assert page.evaluate("getSelection().toString()") == "OWL"  # the next word takes its place
     parts = ("assets/carts/teacher.", "assets/carts/lessons/")
     assert not [url for url in asked if any(part in url for part in parts)]
     word.fill("Grey Owl ")

@@ -16,7 +16,7 @@ TITLES = [
     ({"kind": "text", "text": "1. First [the film](f.mp4)"}, "First the film"),
     ({"kind": "text", "text": "* one\n* two"}, "one"),
     ({"kind": "text", "text": '!!! problem "In the car park"'}, "In the car park"),
-    ({"kind": "text", "text": "<!-- later -->\n#\n"}, "(no text yet)"),
+    ({"kind": "text", "text": "<!-- later -->\n#\n"}, "+ text here"),
     ({"kind": "top", "text": "title: Lesson #1\norder: 2"}, "Lesson #1"),
     (
         {"kind": "block", "text": "id: a", "title": "Cart #2 > cart #1", "id": "a"},

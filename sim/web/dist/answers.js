@@ -1795,11 +1795,13 @@
   // src/teach/door.js
   var OPEN = "carts-teach";
   var teachersWord = () => document.querySelector('meta[name="carts-teacher"]')?.getAttribute("content") ?? "";
+  var draftMark = () => `carts-draft ${place().page}`;
   function teacherDoor() {
     const link = document.querySelector(".carts-teach-door a");
     if (!(link instanceof HTMLAnchorElement)) return;
     const lesson = new URL(link.dataset.lesson ?? "", document.baseURI);
     const beside = (name) => new URL(`../${name}${lesson.search}`, lesson).href;
+    if (recall(draftMark(), BROWSER)) link.append(" (your draft is kept)");
     const words3 = link.textContent;
     let loaded = null;
     const open2 = async () => {
@@ -1845,7 +1847,7 @@
     const asking = place2.querySelector("input");
     asking?.focus();
     if (asking) return Promise.resolve(false);
-    const form2 = document.createElement("form");
+    const form2 = html("form", "carts");
     const label = html("label", "", `${tr("Your teacher's word")} `);
     const box = document.createElement("input");
     Object.assign(box, { type: "text", autocomplete: "off", maxLength: 60, spellcheck: false });
@@ -1863,6 +1865,8 @@
         event.preventDefault();
         if (wordSum("teacher", box.value) !== sum) {
           wrong2.textContent = tr("That is not the word.");
+          box.setAttribute("aria-invalid", "true");
+          box.select();
           return;
         }
         retain(KEY, sum);

@@ -163,8 +163,8 @@
     return filled(template, Object.fromEntries(values));
   }
   function inRow(parts) {
-    const [head = "", ...tail] = parts;
-    return tail.reduce((first, second) => tr("{first}, {second}", { first, second }), head);
+    const [head2 = "", ...tail] = parts;
+    return tail.reduce((first, second) => tr("{first}, {second}", { first, second }), head2);
   }
   function filled(template, values) {
     return template.replace(/\{(\w+)\}/g, (whole2, name) => String(values[name] ?? whole2));
@@ -782,15 +782,20 @@
       return null;
     }
   }
+  function recallOnce(key, where = TAB) {
+    const kept = recall(key, where);
+    try {
+      where().removeItem(key);
+    } catch {
+    }
+    return kept;
+  }
   function retain(key, value, where = TAB) {
     try {
       where().setItem(key, JSON.stringify(value));
     } catch {
     }
   }
-
-  // src/teach/door.js
-  var OPEN = "carts-teach";
 
   // src/shared/code-word.js
   var STUDENT = "student";
@@ -1132,6 +1137,10 @@
     };
   }
 
+  // src/teach/door.js
+  var OPEN = "carts-teach";
+  var draftMark = () => `carts-draft ${place().page}`;
+
   // src/teach/drafts.js
   var Drafts = class {
     constructor(told3) {
@@ -1166,6 +1175,7 @@
       const store = await this.store;
       this.kept = { text: text2, base, last: (/* @__PURE__ */ new Date()).toISOString(), hash: this.hash };
       await store.put(this.key, this.kept, true);
+      if (this.own === null) retain(draftMark(), true, BROWSER);
       return store.kind === "kept";
     }
     async hear(act) {
@@ -1188,7 +1198,10 @@
       });
     }
     async forget(key = this.key) {
-      if (key === this.key) this.kept = null;
+      if (key === this.key) {
+        this.kept = null;
+        recallOnce(draftMark(), BROWSER);
+      }
       await (await this.store).remove(key);
     }
   };
@@ -1250,6 +1263,37 @@
       dateStyle: "medium",
       timeStyle: "short"
     });
+  }
+
+  // src/teach/around.js
+  var TEACHING = "carts-teaching";
+  var WAITS = "carts-runs";
+  function enter() {
+    document.querySelector(".carts-teach-draft")?.remove();
+    document.documentElement.classList.remove(WAITS);
+    document.body.classList.add(TEACHING);
+  }
+  function leave(session2) {
+    document.body.classList.remove(TEACHING);
+    document.documentElement.classList.add(WAITS);
+    const address = new URL(location.href);
+    address.searchParams.delete("teacher");
+    if (address.hash === "#teacher") address.hash = "";
+    history.replaceState(null, "", address.href.replace(/#$/, ""));
+    session2.link.focus({ preventScroll: true });
+    if (!session2.changed) return;
+    const line = draftLine(session2);
+    session2.page.article.before(line);
+    line.querySelector("button")?.focus();
+  }
+  function draftLine(session2) {
+    const line = html("p", "carts carts-teach-draft");
+    const on = button("Go on changing", () => session2.show(), "carts-teach-on");
+    line.append(html("span", "", "You see your draft, not the published lesson."), " ", on);
+    const kept = session2.panel.root.dataset.kept === "true";
+    const away = button("Show the published one", () => location.reload(), "carts-teach-leave");
+    if (kept) line.append(" ", away);
+    return line;
   }
 
   // src/teach/asked.js
@@ -1716,13 +1760,13 @@ ${further}</div>`;
   function table(facts, draw) {
     const [first, second] = facts.axes;
     const columns = first?.values.length ?? 0;
-    const { head, lines: lines3 } = tableOf(
+    const { head: head2, lines: lines3 } = tableOf(
       columns,
       second?.values.length ?? 1,
       (axis2, place4) => axisText(facts, axis2, place4),
       (place4) => valueText(valueAt(draw, place4), facts)
     );
-    const heads2 = second ? head : [facts.label];
+    const heads2 = second ? head2 : [facts.label];
     const across2 = html2`<tr><td></td><th scope="colgroup" colspan=${heads2.length}>${first && named(first)}</th></tr>`;
     const rows = lines3.map(
       ([name, ...cells]) => html2`<tr><th scope="row">${name}</th>${cells.map((cell) => html2`<td>${cell}</td>`)}</tr>`
@@ -1813,19 +1857,19 @@ ${second && across2}
   function tableOf2(read, residuals) {
     const { names, tracks } = read;
     const { time, tracks: its } = heads(read);
-    const head = [time, ...its];
-    if (residuals) head.push(...names.map((cart2) => tr("residual of {cart} in mm", { cart: cart2 })));
+    const head2 = [time, ...its];
+    if (residuals) head2.push(...names.map((cart2) => tr("residual of {cart} in mm", { cart: cart2 })));
     const found = /* @__PURE__ */ new Map();
     for (const [k, track] of tracks.entries()) {
       for (const [n, t] of track.t.entries()) {
-        const cells = found.get(t) ?? Array.from({ length: head.length - 1 }, () => "");
+        const cells = found.get(t) ?? Array.from({ length: head2.length - 1 }, () => "");
         cells[k] = fixed(Number(track.value[n]), PLACES);
         if (residuals) cells[2 + k] = fixed(1e3 * Number(residuals[k]?.[n]), 2);
         found.set(t, cells);
       }
     }
     const rows = [...found].sort(([a], [b]) => a - b).map(([t, cells]) => [fixed(t, PLACES), ...cells]);
-    return { head, rows };
+    return { head: head2, rows };
   }
 
   // ../view/measured/skeleton.js
@@ -1912,8 +1956,8 @@ ${table2(facts)}
 </div>`;
   }
   function table2({ read }) {
-    const { head, rows } = read ? tableOf2(read, null) : { head: [], rows: [] };
-    const heads2 = head.map((cell) => html2`<th scope="col">${cell}</th>`);
+    const { head: head2, rows } = read ? tableOf2(read, null) : { head: [], rows: [] };
+    const heads2 = head2.map((cell) => html2`<th scope="col">${cell}</th>`);
     const lines3 = rows.slice(0, MOST_ROWS).map((row) => html2`<tr>${row.map((cell) => html2`<td>${cell}</td>`)}</tr>`);
     const more = rows.length - lines3.length;
     return html2`<details class="carts-more carts-measured-table"><summary>${tr("Table of the readings")}</summary><div class="carts-scroll" role="group" tabindex="0" aria-label=${tr("readings")}><table class="carts-table"><thead><tr>${heads2}</tr></thead><tbody>${lines3}</tbody></table></div>${more > 0 && html2`<p class="carts-measured-rest">${counted("and 1 more row", "and {n} more rows", more)}</p>`}</details>`;
@@ -3337,8 +3381,11 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     get have() {
       return [...this.#made.keys()];
     }
-    block(index) {
-      return this.#blocks[index] ?? null;
+    reveal(index) {
+      const element = this.#blocks[index];
+      const above = element?.previousElementSibling;
+      const first = above?.matches(".carts-teach-change") ? above : element;
+      first?.scrollIntoView({ block: "start" });
     }
     adopt(look) {
       const pieces = look.pieces.filter((piece) => piece.kind === "block");
@@ -3535,6 +3582,27 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       })
     );
     return row;
+  }
+
+  // src/teach/head.js
+  function head(session2, panel2) {
+    const root = html("div", "carts-teach-head");
+    const heading = html("h2", "", "Change this lesson");
+    heading.tabIndex = -1;
+    const fold = () => {
+      const folded = panel2.classList.toggle("carts-teach-folded");
+      document.body.classList.toggle("carts-teaching-folded", folded);
+      small.setAttribute("aria-expanded", String(!folded));
+      small.textContent = folded ? "Show" : "Make room";
+    };
+    const small = button("Make room", fold, "carts-teach-fold");
+    small.setAttribute("aria-expanded", "true");
+    root.append(
+      heading,
+      small,
+      button("Close", () => session2.close(), "carts-teach-close")
+    );
+    return { root, heading };
   }
 
   // src/shared/bring.js
@@ -3839,6 +3907,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   };
 
   // src/teach/piece-title.js
+  var EMPTY = "+ text here";
   function titleOf({ kind: kind2, text: text2, title, id }) {
     if (kind2 === "top") return seen(/^title: *(.*)/m.exec(text2)?.[1] ?? "");
     if (kind2 === "block") {
@@ -3847,7 +3916,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     }
     const heading = /^#+ +(.+)/m.exec(text2)?.[1];
     const lines3 = heading ? [heading] : text2.split("\n").map(unmarked);
-    return short2(lines3.map(seen).find(Boolean) ?? "(no text yet)");
+    return short2(lines3.map(seen).find(Boolean) ?? EMPTY);
   }
   var TABLE = /^ *\|.*\n *\|[ :|-]+(?:\n *\|.*)*\s*/;
   var unbarred = (line) => {
@@ -3913,7 +3982,9 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       this.piece = piece;
       this.findings = findings;
       say(this.kind, piece.kind === "block" ? KINDS[piece.name ?? ""] ?? "Block" : place3(piece));
-      say(this.title, titleOf(piece));
+      const title = titleOf(piece);
+      say(this.title, title);
+      this.root.classList.toggle("carts-teach-empty", title === EMPTY);
       const count2 = findings.length;
       const wrong = count2 ? `${count2} ${count2 === 1 ? "mistake" : "mistakes"}` : "";
       say(this.mark, [changed ? "changed" : "", wrong].filter(Boolean).join(", "));
@@ -3967,6 +4038,14 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   };
   var place3 = (piece) => piece.kind === "top" ? "Facts" : "Text";
 
+  // src/shared/working.js
+  var still = (event) => event.repeat && event.preventDefault();
+  function passOn(from, to) {
+    if (document.activeElement !== from) return;
+    to.addEventListener("keydown", still);
+    to.focus();
+  }
+
   // src/teach/saves.js
   var WITHHELD = "Notes and marking guides are not in it: before it takes the place of your own file, choose that file in the yellow box and save again.";
   function toolbar(session2, tell) {
@@ -3980,7 +4059,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       ];
       if (session2.withheld) said.push(WITHHELD);
       if (faulty) said.push("There are mistakes in it: the build would stop at them.");
-      tell(said.join(" "), faulty);
+      tell(said.join(" "), faulty ? "fault" : said.length > 1 || lacking.length ? "warning" : "");
     };
     const save = button(
       "Save lesson",
@@ -4008,16 +4087,19 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       "carts-teach-zip"
     );
     const reset = askingButton(
-      "Published lesson",
+      "Back to the published lesson",
       "Go back to the lesson as it was published?",
       "Yes, go back",
       () => session2.reset(),
       "carts-teach-reset"
     );
     root.append(undo, redo, save, zip, reset);
+    const back = need(reset, "button");
     const draw = () => {
       undo.disabled = !session2.history.canUndo;
       redo.disabled = !session2.history.canRedo;
+      if (!session2.changed) passOn(back, undo);
+      back.disabled = !session2.changed;
     };
     draw();
     return { root, draw };
@@ -4030,36 +4112,25 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     #published = /* @__PURE__ */ new Set();
     #base = "";
     #whole = null;
-    #faulty = false;
-    // whether the status speaks of mistakes
     constructor(session2) {
       this.session = session2;
       this.root = html("aside", "carts carts-teach");
       this.root.setAttribute("aria-label", "Change this lesson");
-      this.heading = html("h2", "", "Change this lesson");
-      this.heading.tabIndex = -1;
-      const small = button("Make room", () => this.#fold(small), "carts-teach-fold");
-      small.setAttribute("aria-expanded", "true");
-      const close = button("Close", () => session2.close(), "carts-teach-close");
-      const head = html("div", "carts-teach-head");
-      head.append(this.heading, small, close);
+      const { root, heading } = head(session2, this.root);
+      this.heading = heading;
       this.note = html("p", "carts-teach-status");
       this.note.setAttribute("role", "status");
       this.state = html("p", "carts-teach-state");
       this.state.setAttribute("role", "status");
-      this.tools = toolbar(session2, (text2, faulty) => this.status(text2, faulty));
+      this.tools = toolbar(session2, (text2, kind2) => this.status(text2, kind2));
       this.own = new OwnFile(session2, (text2) => this.status(text2));
       this.notices = html("div", "carts-teach-notices");
       this.list = html("div", "carts-teach-pieces");
       const body2 = html("div", "carts-teach-body");
-      body2.append(this.tools.root, this.note, this.state, this.own.root, this.notices, this.list);
-      this.root.append(head, body2);
-    }
-    #fold(small) {
-      const folded = this.root.classList.toggle("carts-teach-folded");
-      document.body.classList.toggle("carts-teaching-folded", folded);
-      small.setAttribute("aria-expanded", String(!folded));
-      small.textContent = folded ? "Show" : "Make room";
+      body2.append(this.own.root, this.notices, this.list);
+      const bar2 = html("div", "carts-teach-bar");
+      bar2.append(this.tools.root, this.note, this.state);
+      this.root.append(root, bar2, body2);
     }
     get #unchanged() {
       return this.session.told.text === null ? "As in your file." : "As published.";
@@ -4073,8 +4144,8 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     undo() {
       for (const editor of this.#editors) editor.undo();
     }
-    status(text2, faulty = false) {
-      this.#faulty = faulty;
+    status(text2, kind2 = "") {
+      this.note.dataset.kind = kind2;
       say(this.note, text2);
     }
     kept(kept) {
@@ -4119,8 +4190,8 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       const closed2 = faulty.length > 0 && !faulty.some((editor) => editor.root.open);
       const where = closed2 ? ` The first is in “${faulty[0]?.title.textContent}”: open it.` : "";
       if (count2)
-        this.status(`${words}: the page shows these parts as they were before.${where}`, true);
-      else if (this.#faulty) this.status("");
+        this.status(`${words}: the page shows these parts as they were before.${where}`, "fault");
+      else if (this.note.dataset.kind === "fault") this.status("");
       if (!this.state.textContent) say(this.state, this.#unchanged);
       this.tools.draw();
     }
@@ -4136,7 +4207,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         const editor = new PieceEditor({
           typed: (text2) => this.#typed(k, text2),
           set: (field, value, owner) => this.session.set(this.#blockOf(k), field, value, owner),
-          opened: () => this.session.page.block(this.#blockOf(k))?.scrollIntoView({ block: "start" })
+          opened: () => this.session.page.reveal(this.#blockOf(k))
         });
         editor.piece = piece;
         editor.root.open = open3.has(piece.id || piece.line);
@@ -4243,7 +4314,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
 
   // src/teach/session.js
   var PAUSE2 = 250;
-  var BODY = "carts-teaching";
   var Session = class {
     #timer = 0;
     settled = Promise.resolve();
@@ -4317,19 +4387,14 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       return draft;
     }
     show() {
-      document.body.classList.add(BODY);
+      enter();
       if (!this.panel.root.isConnected) document.body.append(this.panel.root);
       this.panel.root.hidden = false;
       this.panel.focus();
     }
     close() {
       this.panel.root.hidden = true;
-      document.body.classList.remove(BODY);
-      const address = new URL(location.href);
-      address.searchParams.delete("teacher");
-      if (address.hash === "#teacher") address.hash = "";
-      history.replaceState(null, "", address.href.replace(/#$/, ""));
-      this.link.focus();
+      leave(this);
     }
     change(text2, where, pause = PAUSE2) {
       if (this.history.change(text2, where)) this.#changed(pause);

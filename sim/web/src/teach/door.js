@@ -6,7 +6,8 @@
 import { tr } from "../../../view/language.js";
 import { wordSum } from "../question/opening.js";
 import { html } from "../shared/dom.js";
-import { recall, retain } from "../shared/tab.js";
+import { BROWSER, recall, retain } from "../shared/tab.js";
+import { place } from "../store/storage.js";
 
 export const OPEN = "carts-teach";
 
@@ -14,12 +15,16 @@ export const OPEN = "carts-teach";
 export const teachersWord = () =>
   document.querySelector('meta[name="carts-teacher"]')?.getAttribute("content") ?? "";
 
+/** Under this name the browser remembers that it keeps a draft of this lesson. */
+export const draftMark = () => `carts-draft ${place().page}`;
+
 /** Listens for a teacher. */
 export function teacherDoor() {
   const link = document.querySelector(".carts-teach-door a");
   if (!(link instanceof HTMLAnchorElement)) return;
   const lesson = new URL(link.dataset.lesson ?? "", document.baseURI);
   const beside = (/** @type {string} */ name) => new URL(`../${name}${lesson.search}`, lesson).href;
+  if (recall(draftMark(), BROWSER)) link.append(" (your draft is kept)");
   const words = link.textContent;
   /** @type {Promise<unknown> | null} */
   let loaded = null;
@@ -74,7 +79,7 @@ function ask(link, sum) {
   const asking = place.querySelector("input");
   asking?.focus();
   if (asking) return Promise.resolve(false);
-  const form = document.createElement("form");
+  const form = html("form", "carts");
   const label = html("label", "", `${tr("Your teacher's word")} `);
   const box = document.createElement("input");
   Object.assign(box, { type: "text", autocomplete: "off", maxLength: 60, spellcheck: false });
@@ -93,6 +98,8 @@ function ask(link, sum) {
       event.preventDefault();
       if (wordSum("teacher", box.value) !== sum) {
         wrong.textContent = tr("That is not the word.");
+        box.setAttribute("aria-invalid", "true");
+        box.select();
         return;
       }
       retain(KEY, sum);

@@ -5,7 +5,9 @@
  * offered.
  */
 
+import { BROWSER, recallOnce, retain } from "../shared/tab.js";
 import { openAll, place } from "../store/storage.js";
+import { draftMark } from "./door.js";
 
 /** @typedef {{text: string, base: string, last: string, hash: string}} Kept `base`: what it began from */
 /** @typedef {Kept & {key: string}} Draft where it is kept */
@@ -66,6 +68,7 @@ export class Drafts {
     const store = await this.store;
     this.kept = { text, base, last: new Date().toISOString(), hash: this.hash };
     await store.put(this.key, this.kept, true);
+    if (this.own === null) retain(draftMark(), true, BROWSER); // of a test nobody else is told
     return store.kind === "kept";
   }
 
@@ -94,7 +97,10 @@ export class Drafts {
   }
 
   async forget(key = this.key) {
-    if (key === this.key) this.kept = null;
+    if (key === this.key) {
+      this.kept = null;
+      recallOnce(draftMark(), BROWSER);
+    }
     await (await this.store).remove(key);
   }
 }

@@ -52,9 +52,12 @@ export class LessonPage {
     return [...this.#made.keys()];
   }
 
-  /** @param {number} index @returns {HTMLElement | null} */
-  block(index) {
-    return this.#blocks[index] ?? null;
+  /** Scrolls to a block, with the button above it. @param {number} index */
+  reveal(index) {
+    const element = this.#blocks[index];
+    const above = element?.previousElementSibling;
+    const first = above?.matches(".carts-teach-change") ? above : element;
+    first?.scrollIntoView({ block: "start" });
   }
 
   /** The page as it was built is what this look at the published text shows. @param {Look} look */

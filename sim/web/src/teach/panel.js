@@ -1,8 +1,8 @@
 /** The panel of teacher mode beside the lesson: what can be changed, piece by piece. */
 
-import { button } from "../answers/parts.js";
 import { html, say } from "../shared/dom.js";
 import { earlierDraft } from "./earlier-draft.js";
+import { head } from "./head.js";
 import { OwnFile, ownFile } from "./own-file.js";
 import { PieceEditor } from "./piece.js";
 import { toolbar } from "./saves.js";
@@ -19,39 +19,28 @@ export class Panel {
   #base = "";
   /** @type {PieceEditor | null} of the whole text, where Python does not answer */
   #whole = null;
-  #faulty = false; // whether the status speaks of mistakes
 
   /** @param {import("./session.js").Session} session */
   constructor(session) {
     this.session = session;
     this.root = html("aside", "carts carts-teach");
     this.root.setAttribute("aria-label", "Change this lesson");
-    this.heading = html("h2", "", "Change this lesson");
-    this.heading.tabIndex = -1;
-    const small = button("Make room", () => this.#fold(small), "carts-teach-fold");
-    small.setAttribute("aria-expanded", "true");
-    const close = button("Close", () => session.close(), "carts-teach-close");
-    const head = html("div", "carts-teach-head");
-    head.append(this.heading, small, close);
+    const { root, heading } = head(session, this.root);
+    this.heading = heading;
     this.note = html("p", "carts-teach-status");
     this.note.setAttribute("role", "status");
     this.state = html("p", "carts-teach-state");
     this.state.setAttribute("role", "status");
-    this.tools = toolbar(session, (text, faulty) => this.status(text, faulty));
+    this.tools = toolbar(session, (text, kind) => this.status(text, kind));
     this.own = new OwnFile(session, (text) => this.status(text));
     this.notices = html("div", "carts-teach-notices");
     this.list = html("div", "carts-teach-pieces");
     const body = html("div", "carts-teach-body");
-    body.append(this.tools.root, this.note, this.state, this.own.root, this.notices, this.list);
-    this.root.append(head, body);
-  }
-
-  /** @param {HTMLButtonElement} small */
-  #fold(small) {
-    const folded = this.root.classList.toggle("carts-teach-folded");
-    document.body.classList.toggle("carts-teaching-folded", folded);
-    small.setAttribute("aria-expanded", String(!folded));
-    small.textContent = folded ? "Show" : "Make room";
+    body.append(this.own.root, this.notices, this.list);
+    // Beside what scrolls, not in it: what is said of a save is seen wherever a teacher is at work.
+    const bar = html("div", "carts-teach-bar");
+    bar.append(this.tools.root, this.note, this.state);
+    this.root.append(root, bar, body);
   }
 
   get #unchanged() {
@@ -72,9 +61,9 @@ export class Panel {
     for (const editor of this.#editors) editor.undo();
   }
 
-  /** @param {string} text @param {boolean} faulty it speaks of mistakes: it goes when they have gone */
-  status(text, faulty = false) {
-    this.#faulty = faulty;
+  /** @param {string} text @param {import("./types.js").Kind} kind what speaks of mistakes goes when they have gone */
+  status(text, kind = "") {
+    this.note.dataset.kind = kind;
     say(this.note, text);
   }
 
@@ -131,8 +120,8 @@ export class Panel {
     const closed = faulty.length > 0 && !faulty.some((editor) => editor.root.open); // said nowhere else
     const where = closed ? ` The first is in “${faulty[0]?.title.textContent}”: open it.` : "";
     if (count)
-      this.status(`${words}: the page shows these parts as they were before.${where}`, true);
-    else if (this.#faulty) this.status("");
+      this.status(`${words}: the page shows these parts as they were before.${where}`, "fault");
+    else if (this.note.dataset.kind === "fault") this.status("");
     if (!this.state.textContent) say(this.state, this.#unchanged);
     this.tools.draw();
   }
@@ -150,7 +139,7 @@ export class Panel {
       const editor = new PieceEditor({
         typed: (text) => this.#typed(k, text),
         set: (field, value, owner) => this.session.set(this.#blockOf(k), field, value, owner),
-        opened: () => this.session.page.block(this.#blockOf(k))?.scrollIntoView({ block: "start" }),
+        opened: () => this.session.page.reveal(this.#blockOf(k)),
       });
       editor.piece = piece;
       editor.root.open = open.has(piece.id || piece.line);

@@ -1,5 +1,8 @@
 /** What a piece of a lesson is called in the panel: the first of it that a reader sees. */
 
+/** Where there is none. */
+export const EMPTY = "+ text here";
+
 /** @param {Pick<import("./types.js").Piece, "kind" | "text" | "title" | "id">} piece */
 export function titleOf({ kind, text, title, id }) {
   if (kind === "top") return seen(/^title: *(.*)/m.exec(text)?.[1] ?? "");
@@ -9,7 +12,7 @@ export function titleOf({ kind, text, title, id }) {
   }
   const heading = /^#+ +(.+)/m.exec(text)?.[1];
   const lines = heading ? [heading] : text.split("\n").map(unmarked);
-  return short(lines.map(seen).find(Boolean) ?? "(no text yet)");
+  return short(lines.map(seen).find(Boolean) ?? EMPTY);
 }
 
 /** At the beginning of a question: what is asked stands below it. */

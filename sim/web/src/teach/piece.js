@@ -3,7 +3,7 @@
 import { html, say } from "../shared/dom.js";
 import { Fields, named } from "./fields.js";
 import { Gutter } from "./gutter.js";
-import { titleOf } from "./piece-title.js";
+import { EMPTY, titleOf } from "./piece-title.js";
 
 /** @typedef {import("./types.js").Piece} Piece */
 /** @typedef {import("./types.js").Finding} Finding */
@@ -74,7 +74,9 @@ export class PieceEditor {
     this.piece = piece;
     this.findings = findings;
     say(this.kind, piece.kind === "block" ? (KINDS[piece.name ?? ""] ?? "Block") : place(piece));
-    say(this.title, titleOf(piece));
+    const title = titleOf(piece);
+    say(this.title, title);
+    this.root.classList.toggle("carts-teach-empty", title === EMPTY);
     const count = findings.length;
     const wrong = count ? `${count} ${count === 1 ? "mistake" : "mistakes"}` : "";
     say(this.mark, [changed ? "changed" : "", wrong].filter(Boolean).join(", "));

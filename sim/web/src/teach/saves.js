@@ -1,13 +1,14 @@
 /** The toolbar: undo, save, save as a zip, back to the published lesson. */
 
 import { askingButton, button } from "../answers/parts.js";
-import { html } from "../shared/dom.js";
+import { html, need } from "../shared/dom.js";
 import { download, downloadBlob } from "../shared/download.js";
+import { passOn } from "../shared/working.js";
 
 const WITHHELD =
   "Notes and marking guides are not in it: before it takes the place of your own file, choose that file in the yellow box and save again.";
 
-/** @param {import("./session.js").Session} session @param {(text: string, faulty?: boolean) => void} tell faulty: it speaks of mistakes */
+/** @param {import("./session.js").Session} session @param {(text: string, kind?: import("./types.js").Kind) => void} tell */
 export function toolbar(session, tell) {
   const root = html("div", "carts-teach-tools");
   const undo = button("Undo", () => session.undo(), "carts-teach-undo");
@@ -20,7 +21,7 @@ export function toolbar(session, tell) {
     ];
     if (session.withheld) said.push(WITHHELD);
     if (faulty) said.push("There are mistakes in it: the build would stop at them.");
-    tell(said.join(" "), faulty);
+    tell(said.join(" "), faulty ? "fault" : said.length > 1 || lacking.length ? "warning" : "");
   };
   const save = button(
     "Save lesson",
@@ -48,16 +49,19 @@ export function toolbar(session, tell) {
     "carts-teach-zip",
   );
   const reset = askingButton(
-    "Published lesson",
+    "Back to the published lesson",
     "Go back to the lesson as it was published?",
     "Yes, go back",
     () => session.reset(),
     "carts-teach-reset",
   );
   root.append(undo, redo, save, zip, reset);
+  const back = /** @type {HTMLButtonElement} */ (need(reset, "button"));
   const draw = () => {
     undo.disabled = !session.history.canUndo;
     redo.disabled = !session.history.canRedo;
+    if (!session.changed) passOn(back, undo); // which brings back what was there
+    back.disabled = !session.changed;
   };
   draw();
   return { root, draw };

@@ -1,6 +1,7 @@
 /** One teacher at work on one lesson: text, drafts, Python's answers, the page and the panel. */
 
 import { clock } from "../answers/parts.js";
+import { enter, leave } from "./around.js";
 import { written, zipped } from "./asked.js";
 import { History } from "./history.js";
 import { Looks } from "./looks.js";
@@ -14,7 +15,6 @@ import { UnderWay } from "./under-way.js";
 /** @typedef {import("./drafts.js").Draft} Draft */
 
 const PAUSE = 250; // ms without a key until Python looks
-const BODY = "carts-teaching";
 
 export class Session {
   #timer = 0;
@@ -112,7 +112,7 @@ export class Session {
   }
 
   show() {
-    document.body.classList.add(BODY);
+    enter();
     if (!this.panel.root.isConnected) document.body.append(this.panel.root);
     this.panel.root.hidden = false;
     this.panel.focus();
@@ -120,12 +120,7 @@ export class Session {
 
   close() {
     this.panel.root.hidden = true;
-    document.body.classList.remove(BODY);
-    const address = new URL(location.href);
-    address.searchParams.delete("teacher");
-    if (address.hash === "#teacher") address.hash = "";
-    history.replaceState(null, "", address.href.replace(/#$/, ""));
-    this.link.focus();
+    leave(this);
   }
 
   /** The text was changed. @param {string} text @param {string} where @param {number} pause ms until Python looks */

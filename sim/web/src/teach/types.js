@@ -9,6 +9,7 @@
  * @typedef {{state: "shown" | "wrong" | "kept" | "needs" | "later", key?: string, html?: string | null}} Shown
  * @typedef {{pieces: Piece[], findings: Finding[], frame: string | null, blocks: Shown[], more: boolean,
  *   needs: string[]}} Look
+ * @typedef {"" | "warning" | "fault"} Kind of what the panel says
  */
 
 export {};
