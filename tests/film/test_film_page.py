@@ -127,6 +127,8 @@ def test_by_keys_on_a_dark_phone_lost_places_are_mended(
     page.locator(".carts-film-follow").click()
     expect(said).to_contain_text("Lost places, left out for now: A: 3.", timeout=STARTS)
     page.locator(".carts-film-next").click()
+    expect(view).to_be_in_viewport(ratio=0.99)  # where the click goes, and what is said of it
+    expect(said).to_be_in_viewport(ratio=0.99)
     for k in (8, 9):  # two by a click each, the third is left out
         expect(said).to_have_text(
             f"Lost at {broken_off.times[k]:.3f} s. Click where the mark of cart A is."

@@ -175,3 +175,39 @@ def test_reading_anew_leaves_the_frame_that_is_shown() -> None:
     )  # fmt: skip
     assert moved == [True, False]
     assert clocks[0] == clocks[1] != clocks[2]  # another ruler leaves the clock alone
+
+
+def test_what_cannot_be_mended_is_not_offered_and_the_focus_goes_on() -> None:
+    """Before, “Next lost place” could be pressed where none was lost."""
+    found = in_node(
+        BAR
+        + """
+        const { offerMending } = await import(`${source}/film/offer.js`);
+        const { Mending } = await import(`${source}/film/mending.js`);
+        const { Repair } = await import(`${source}/film/repair.js`);
+        const mending = new Mending(data);
+        const seen = [];
+        const setup = { aim: "", show() {} };
+        const film = { setup, say() {}, read() {} };
+        film.view = { aim() {}, reveal: () => seen.push("revealed") };
+        film.frames = { time: 0, want: async (time) => void (film.frames.time = time) };
+        const of = (name) => root.querySelector(`.carts-film-${name}`);
+        of("read").focus = () => seen.push("focus on read");
+        film.changed = () => {
+          offerMending(root, mending, setup.aim);
+          seen.push(["next", "leave", "undo"].filter((name) => !of(name).disabled).join(" "));
+        };
+        const repair = new Repair(mending, film);
+        film.changed();
+        repair.next();
+        await new Promise((done) => setTimeout(done));
+        Object.defineProperty(document, "activeElement", { get: () => of("leave") });
+        repair.leave();
+        give(seen);
+        """,
+        [
+            {"t": 0.0, "marks": [{"x": 1, "y": 1}, {"x": 5, "y": 1}]},
+            {"t": 0.1, "marks": [None, {"x": 5, "y": 1}]},
+        ],
+    )
+    assert found == ["next", "next leave", "revealed", "focus on read", "undo"]

@@ -82,7 +82,7 @@ const helper = { ask: ({ time }) => new Promise((done) => asked.push(() => done(
 const frames = new Frames(helper, () => {}, () => {});
 const mending = new Mending(data);
 const setup = { aim: "A", show() {} };
-const film = { setup, frames, view: { aim() {} }, say() {}, changed() {}, read() {} };
+const film = { setup, frames, view: { aim() {}, reveal() {} }, say() {}, changed() {}, read() {} };
 const repair = new Repair(mending, film);
 const turn = () => new Promise((done) => setTimeout(done));
 const decoded = async () => {
@@ -122,7 +122,8 @@ const { Repair } = await import(`${source}/film/repair.js`);
 const said = [];
 const mending = new Mending(data);
 const setup = { aim: "", show() {} };
-const film = { setup, view: { aim() {} }, changed() {}, read: () => said.push("read") };
+const film = { setup, view: { aim() {}, reveal() {} }, changed() {} };
+film.read = () => said.push("read");
 film.frames = { time: 0, want: async (time) => void (film.frames.time = time) };
 film.say = (text) => said.push(text);
 const repair = new Repair(mending, film);

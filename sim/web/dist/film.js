@@ -152,7 +152,7 @@
   }
 
   // as-text:src/film/film.css
-  var film_default = '/* src/film/film.css */\n.carts-film {\n  padding: 0.6em 0.9em;\n  border-top: 1px solid var(--carts-line);\n}\n.carts .carts-film-say {\n  min-height: 2.8em;\n  margin: 0.2em 0;\n  font-weight: 700;\n  overflow-wrap: anywhere;\n}\n.carts-film-view {\n  display: block;\n  width: 100%;\n  max-width: min(54em, 70vh * var(--carts-film-shape, 1.78));\n  height: auto;\n  background: #000;\n  cursor: crosshair;\n  touch-action: pan-y pinch-zoom;\n}\n.carts-film-view:focus-visible {\n  outline: 3px solid var(--carts-accent);\n  outline-offset: 2px;\n}\n.carts .carts-film-row {\n  display: flex;\n  flex-wrap: wrap;\n  align-items: center;\n  gap: 0.4em 0.6em;\n  margin: 0.4em 0;\n}\n.carts .carts-film-row[hidden] {\n  display: none;\n}\n.carts-film-row label {\n  display: inline-flex;\n  flex-wrap: wrap;\n  align-items: center;\n  gap: 0.4em;\n}\n.carts-film-time {\n  flex: 1 1 8em;\n  min-width: 4em;\n  max-width: 46em;\n  accent-color: var(--carts-accent);\n}\n.carts-film-clock {\n  min-width: 6em;\n  font-variant-numeric: tabular-nums;\n  white-space: nowrap;\n}\n.carts-film-row select {\n  font: inherit;\n  color: inherit;\n  background: var(--carts-paper);\n  border: 1px solid var(--carts-line);\n  border-radius: 4px;\n  padding: 0.2em;\n}\n.carts .carts-film-aims [aria-pressed=true] {\n  outline: 2px solid var(--carts-accent);\n  outline-offset: 1px;\n  font-weight: 700;\n}\n.carts .carts-film-aims .carts-film-set::before {\n  content: "✓ ";\n}\n.carts-film-part {\n  flex: 1 1 8em;\n  max-width: 24em;\n  accent-color: var(--carts-accent);\n}\n.carts .carts-film-key {\n  margin: 0.3em 0;\n  color: var(--carts-quiet);\n}\n@media print {\n  .carts-film {\n    display: none;\n  }\n}\n';
+  var film_default = '/* src/film/film.css */\n.carts-film {\n  --wide: min(54em, 50vh * var(--carts-film-shape, 1.78));\n  padding: 0.6em 0.9em;\n  border-top: 1px solid var(--carts-line);\n}\n.carts .carts-film-say {\n  position: sticky;\n  top: 2.4rem;\n  z-index: 1;\n  padding: 0.3em 0;\n  background: var(--carts-paper);\n  min-height: 2.8em;\n  margin: 0.2em 0;\n  font-weight: 700;\n  overflow-wrap: anywhere;\n}\n.carts-film-view {\n  display: block;\n  width: 100%;\n  max-width: var(--wide);\n  scroll-margin-block: 6rem 4rem;\n  height: auto;\n  background: #000;\n  cursor: crosshair;\n  touch-action: pan-y pinch-zoom;\n}\n.carts-film-view:focus-visible {\n  outline: 3px solid var(--carts-accent);\n  outline-offset: 2px;\n}\n.carts .carts-film-row {\n  display: flex;\n  flex-wrap: wrap;\n  align-items: center;\n  gap: 0.4em 0.6em;\n  margin: 0.4em 0;\n}\n.carts .carts-film-row:has(.carts-film-time) {\n  max-width: var(--wide);\n}\n.carts .carts-film-row[hidden] {\n  display: none;\n}\n.carts-film-row label {\n  display: inline-flex;\n  flex-wrap: wrap;\n  align-items: center;\n  gap: 0.4em;\n}\n.carts-film-time {\n  flex: 1 1 8em;\n  min-width: 4em;\n  max-width: 46em;\n  accent-color: var(--carts-accent);\n}\n.carts-film-clock {\n  min-width: 6em;\n  font-variant-numeric: tabular-nums;\n  white-space: nowrap;\n}\n.carts-film-row select {\n  font: inherit;\n  color: inherit;\n  background: var(--carts-paper);\n  border: 1px solid var(--carts-line);\n  border-radius: 4px;\n  padding: 0.2em;\n}\n.carts .carts-film-aims [aria-pressed=true] {\n  outline: 2px solid var(--carts-accent);\n  outline-offset: 1px;\n  font-weight: 700;\n}\n.carts .carts-film-aims .carts-film-set::before {\n  content: "✓ ";\n}\n:is(.carts-film-follow, .carts-film-next):enabled,\n.carts-film-next:disabled ~ .carts-film-read {\n  background: var(--carts-accent);\n  border-color: var(--carts-accent);\n  color: #fff;\n  font-weight: 700;\n}\n[data-md-color-scheme=slate] :is(:is(.carts-film-follow, .carts-film-next):enabled, .carts-film-next:disabled ~ .carts-film-read) {\n  color: #10131a;\n}\n.carts-film-part {\n  flex: 1 1 8em;\n  max-width: 24em;\n  accent-color: var(--carts-accent);\n}\n.carts .carts-film-key {\n  margin: 0.3em 0;\n  color: var(--carts-quiet);\n}\n@media print {\n  .carts-film {\n    display: none;\n  }\n}\n';
 
   // ../view/numbers.js
   function fixed(value, decimals) {
@@ -447,6 +447,24 @@
     }
   };
 
+  // src/shared/working.js
+  var still = (event) => event.repeat && event.preventDefault();
+  function passOn(from, to) {
+    if (document.activeElement !== from) return;
+    to.addEventListener("keydown", still);
+    to.focus();
+  }
+
+  // src/film/offer.js
+  function offerMending(root, mending2, aim) {
+    const of = (name) => need(root, `.carts-film-${name}`);
+    const can = { undo: mending2.undoable, next: mending2.lost.length > 0, leave: aim !== "" };
+    for (const [name, on] of Object.entries(can)) {
+      if (!on) passOn(of(name), of("read"));
+      of(name).disabled = !on;
+    }
+  }
+
   // src/film/repair.js
   var Repair = class {
     #going = null;
@@ -466,9 +484,11 @@
     #go(place) {
       this.#going = place;
       const t = this.mending.rows[place.row]?.t ?? 0;
-      const { setup, frames, view, say: say2 } = this.film;
+      const { setup, frames, view, say: say2, changed } = this.film;
       setup.aim = NAMES[place.mark];
       setup.show();
+      changed();
+      view.reveal();
       say2(clickLost(setup.aim, fixed(t, 3)));
       const expected = this.mending.expected(place);
       void frames.want(t + 1e-6).then(() => {
@@ -512,14 +532,15 @@
       this.film.say(text(NAMES[mark] ?? "", fixed(this.mending.rows[row]?.t ?? 0, 3)));
     }
     #done(here, on) {
-      this.film.changed();
+      const { setup, changed, say: say2, read } = this.film;
       const next = on ? this.mending.after(here) : null;
       if (next) return this.#go(next);
+      if (on) setup.aim = "";
+      setup.show();
+      changed();
       if (!on) return;
-      this.film.setup.aim = "";
-      this.film.setup.show();
-      this.film.say(noneLost());
-      this.film.read();
+      say2(noneLost());
+      read();
     }
   };
 
@@ -810,6 +831,9 @@
       this.#cross = point;
       this.draw();
     }
+    reveal() {
+      this.canvas.scrollIntoView({ block: "nearest" });
+    }
     aim(point) {
       this.#move({ ...point });
     }
@@ -819,7 +843,8 @@
       if (this.canvas.width !== picture.width || this.canvas.height !== picture.height) {
         this.canvas.width = picture.width;
         this.canvas.height = picture.height;
-        this.canvas.style.setProperty("--carts-film-shape", `${picture.width / picture.height}`);
+        const shape = `${picture.width / picture.height}`;
+        this.canvas.parentElement?.style.setProperty("--carts-film-shape", shape);
       }
       this.mark(shown);
     }
@@ -1010,9 +1035,11 @@
       return this.#laid?.marks(this.frames.time) ?? marked(this.setup.points, null);
     }
     #changed() {
-      this.setup.show();
+      const { setup } = this;
+      setup.show();
+      if (this.#repair) offerMending(this.root, this.#repair.mending, setup.aim);
       if (this.phase !== "marking") return;
-      const { placed, ruler, next } = this.setup;
+      const { placed, ruler, next } = setup;
       this.#button("follow").disabled = !placed || !ruler;
       this.#say(next);
       this.view.mark(this.#marks());
@@ -1052,7 +1079,7 @@
       const mending2 = new Mending(rows);
       const say2 = (text) => this.#say(text);
       const changed = () => {
-        this.#button("undo").disabled = !mending2.undoable;
+        offerMending(this.root, mending2, setup.aim);
         view.mark(this.#marks());
       };
       const read = () => this.read();

@@ -43,9 +43,11 @@ export class Repair {
   #go(place) {
     this.#going = place;
     const t = this.mending.rows[place.row]?.t ?? 0;
-    const { setup, frames, view, say } = this.film;
+    const { setup, frames, view, say, changed } = this.film;
     setup.aim = /** @type {"A"} */ (NAMES[place.mark]);
     setup.show();
+    changed();
+    view.reveal();
     say(words.clickLost(setup.aim, fixed(t, 3)));
     const expected = this.mending.expected(place);
     void frames.want(t + 1e-6).then(() => {
@@ -103,13 +105,14 @@ export class Repair {
 
   /** @param {Place} here @param {boolean} on whether another lost place is looked for */
   #done(here, on) {
-    this.film.changed();
+    const { setup, changed, say, read } = this.film;
     const next = on ? this.mending.after(here) : null;
     if (next) return this.#go(next);
+    if (on) setup.aim = ""; // a click that only means to look changes nothing
+    setup.show();
+    changed();
     if (!on) return;
-    this.film.setup.aim = ""; // a click that only means to look changes nothing
-    this.film.setup.show();
-    this.film.say(words.noneLost());
-    this.film.read();
+    say(words.noneLost());
+    read();
   }
 }

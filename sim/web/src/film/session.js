@@ -9,6 +9,7 @@ import { Frames } from "./frames.js";
 import { Helper } from "./helper.js";
 import { Laid } from "./laid.js";
 import { Mending } from "./mending.js";
+import { offerMending } from "./offer.js";
 import { marked, NAMES } from "./over.js";
 import { Repair } from "./repair.js";
 import { Scrub } from "./scrub.js";
@@ -142,9 +143,11 @@ export class Session {
 
   /** Says what is to be done next. */
   #changed() {
-    this.setup.show();
+    const { setup } = this;
+    setup.show();
+    if (this.#repair) offerMending(this.root, this.#repair.mending, setup.aim);
     if (this.phase !== "marking") return;
-    const { placed, ruler, next } = this.setup;
+    const { placed, ruler, next } = setup;
     this.#button("follow").disabled = !placed || !ruler;
     this.#say(next);
     this.view.mark(this.#marks());
@@ -190,7 +193,7 @@ export class Session {
     const mending = new Mending(rows);
     const say = (/** @type {string} */ text) => this.#say(text);
     const changed = () => {
-      this.#button("undo").disabled = !mending.undoable;
+      offerMending(this.root, mending, setup.aim);
       view.mark(this.#marks());
     };
     const read = () => this.read();

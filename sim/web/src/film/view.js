@@ -97,6 +97,11 @@ export class View {
     this.draw();
   }
 
+  /** The button that leads to a place stands below the frame: on a small screen it is out of sight. */
+  reveal() {
+    this.canvas.scrollIntoView({ block: "nearest" });
+  }
+
   /** Puts the cross where a place is expected. @param {Point} point */
   aim(point) {
     this.#move({ ...point });
@@ -109,7 +114,8 @@ export class View {
     if (this.canvas.width !== picture.width || this.canvas.height !== picture.height) {
       this.canvas.width = picture.width;
       this.canvas.height = picture.height;
-      this.canvas.style.setProperty("--carts-film-shape", `${picture.width / picture.height}`);
+      const shape = `${picture.width / picture.height}`;
+      this.canvas.parentElement?.style.setProperty("--carts-film-shape", shape);
     }
     this.mark(shown);
   }
