@@ -319,12 +319,12 @@
         const row = { key, slide, box, label: need(place2, "label") };
         this.rows.set(key, row);
         slide.addEventListener("input", () => {
-          put2(box, slide.valueAsNumber);
+          put2(row, slide.valueAsNumber);
           changed();
         });
         box.addEventListener("change", () => {
           complain(box, problem(row));
-          if (!box.value.trim()) put2(box, slide.valueAsNumber);
+          if (!box.value.trim()) put2(row, slide.valueAsNumber);
           const value = taken(row);
           if (value === null) return;
           slide.value = String(value);
@@ -363,10 +363,10 @@
     }
     set value(hand) {
       const values = { ...hand, va: hand.v[0], vb: hand.v[1] };
-      for (const [key, { slide, box }] of this.rows) {
+      for (const [key, row] of this.rows) {
         const value = Number(values[key]);
-        slide.value = String(value);
-        put2(box, value);
+        row.slide.value = String(value);
+        put2(row, value);
       }
     }
     get value() {
@@ -393,8 +393,11 @@
     return outside({ label: label.textContent ?? "", unit: "" }, String(low), String(high));
   }
   var taken = (row) => problem(row) ? null : numberIn(row.box);
-  function put2(box, value) {
-    box.value = String(Number(value.toPrecision(4)));
+  function put2({ box, slide }, value) {
+    const finest = (Number(slide.step) || 1e-3) / 100;
+    const figures = Number(value.toPrecision(4));
+    const decimals = Math.max(0, Math.round(-Math.log10(finest)));
+    box.value = String(Number(figures.toFixed(decimals))).replace(/^-/, "−");
     complain(box, "");
   }
   function fastest({ t, value }) {

@@ -94,3 +94,17 @@ def test_a_film_is_not_read_by_a_number_that_makes_no_sense(
     assert found[1:] == [ruler, times]
     for wanted, told in zip(said, found[0], strict=True):
         assert wanted in told and bool(wanted) == bool(told)
+
+
+def test_a_number_that_was_found_is_rounded_as_its_slider_and_has_the_minus_of_the_tables() -> None:
+    """Before, "-0.0002607" stood beside a table that says "−0.00026"."""
+    script = """
+    hands.reach([{ t: [0, 1, 2, 3, 4, 5], value: [0, 1, 2, 3, 4, 5] }], ["A", "B"]);
+    hands.value = { touch: 1, v: [0.543212, -0.0002607], ratio: 2, e: 1, duration: 0.1 };
+    const [va, vb] = ["va", "vb"].map((key) => hands.rows.get(key).box.value);
+    give([va, vb, hands.value.v[1]]);
+    """
+    bench = BENCH[: BENCH.index("const [mass]")]
+    page = element("id: film\ndata: real-carts.txt\nunits: {length: m, time: s}")
+    found = in_node(HEAD + bench + script, {"html": page})
+    assert found == ["0.5432", "−0.00026", -0.00026]

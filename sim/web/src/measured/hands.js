@@ -27,12 +27,12 @@ export class Hands {
       const row = { key, slide, box, label: need(place, "label") };
       this.rows.set(key, row);
       slide.addEventListener("input", () => {
-        put(box, slide.valueAsNumber);
+        put(row, slide.valueAsNumber);
         changed();
       });
       box.addEventListener("change", () => {
         complain(box, problem(row));
-        if (!box.value.trim()) put(box, slide.valueAsNumber);
+        if (!box.value.trim()) put(row, slide.valueAsNumber);
         const value = taken(row);
         if (value === null) return; // it stands there to be mended
         slide.value = String(value);
@@ -77,10 +77,10 @@ export class Hands {
   /** @param {Hand} hand */
   set value(hand) {
     const values = { ...hand, va: hand.v[0], vb: hand.v[1] };
-    for (const [key, { slide, box }] of this.rows) {
+    for (const [key, row] of this.rows) {
       const value = Number(values[/** @type {keyof typeof values} */ (key)]);
-      slide.value = String(value);
-      put(box, value);
+      row.slide.value = String(value);
+      put(row, value);
     }
   }
 
@@ -114,9 +114,12 @@ function problem({ key, box, label }) {
 /** @param {Row} row @returns {number | null} */
 const taken = (row) => (problem(row) ? null : numberIn(row.box));
 
-/** Four figures. @param {HTMLInputElement} box @param {number} value */
-function put(box, value) {
-  box.value = String(Number(value.toPrecision(4)));
+/** Four figures, but none that its slider could not tell, with a minus as in the tables. @param {Pick<Row, "box" | "slide">} row @param {number} value */
+function put({ box, slide }, value) {
+  const finest = (Number(slide.step) || 0.001) / 100;
+  const figures = Number(value.toPrecision(4));
+  const decimals = Math.max(0, Math.round(-Math.log10(finest)));
+  box.value = String(Number(figures.toFixed(decimals))).replace(/^-/, "−");
   complain(box, "");
 }
 
