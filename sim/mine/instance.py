@@ -154,8 +154,9 @@ class Instance:
         if isinstance(error, WrongLawError):
             return error
         if isinstance(error, EndlessError):
-            message = said("this goes on and on: more than {count} turns", count=str(MOST_TURNS))
-            hint = said("a force is asked for one instant: it needs no loop that waits")
+            count = str(MOST_TURNS)
+            message = said("this goes on and on, for more than {count} turns", count=count)
+            hint = said("a force is asked for one instant, so it needs no loop that waits")
             return WrongLawError(self.written.file, error.line, message, hint)
         message = said("{kind}: {why}", kind=type(error).__name__, why=str(error))
         line = _line_of(error, self.written.file) or self.written.line

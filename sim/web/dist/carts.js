@@ -729,7 +729,10 @@
       if (answer.not_run) refused(answer.not_run.method, told(answer.not_run.reason));
       const progress = need(root, ".carts-cost-progress");
       progress.value = (row + 1) / of;
-      say(need(root, ".carts-cost-say"), tr("{done} of {all}", { done: row + 1, all: of }));
+      say(
+        need(root, ".carts-cost-say"),
+        tr("{done} of {all} runs measured", { done: row + 1, all: of })
+      );
     }
     const { floor, digits } = await ask({ digits: found3 });
     if (going()) tell2(floor, digits);

@@ -2370,6 +2370,8 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       const start = lines2.slice(0, line2 - 1).reduce((sum, one) => sum + one.length + 1, 0);
       this.box.focus();
       this.box.setSelectionRange(start, start + (lines2[line2 - 1] ?? "").length);
+      this.box.scrollTop = (line2 - 2) * this.box.scrollHeight / lines2.length;
+      this.box.scrollLeft = 0;
     }
     #key(event) {
       if (!isEnter(event) || event.shiftKey || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -3529,6 +3531,17 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         timer.stop();
       }
     }
+    async judge(whose, tell) {
+      let before = null;
+      for (let part = 0, parts = 6; part !== null; ) {
+        tell(tr("The judge looks: part {part} of {parts} …", { part: part + 1, parts }));
+        const { header } = await this.ask({ do: "judge", ...whose, part, before });
+        before = header.judged;
+        parts = header.parts;
+        part = header.next;
+      }
+      return before;
+    }
     stop() {
       const runtime = this.#runtime;
       this.#runtime = null;
@@ -3653,7 +3666,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       }
       #changed() {
         this.found?.replaceChildren();
-        say(this.note, tr("Your law has changed: judge it again."));
+        this.#say(tr("Your law has changed: judge it again."));
       }
       #keep(text, tried = false) {
         return this.unsaved?.hear(this.keeper?.put(text, tried));
@@ -3693,34 +3706,29 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       }
       async #run() {
         void this.#keep(this.editor?.text ?? "", true);
-        say(this.note, tr("Computing …"));
-        const scene = this.#scene();
+        this.#say(tr("Computing …"));
+        const unequal = await this.#draw(this.#scene());
+        if (unequal) this.#say(tr("The two carts do not push each other equally hard."));
+        else this.#say(tr("Done: the new run is below."));
+      }
+      async #draw(scene) {
         const { header, numbers } = await this.#python.ask({ do: "run", scene });
         const run = { header, trajectory: fromWire(header, numbers) };
         this.#show(run, this.#baked, YOURS);
         this.#drawn = scene.laws[this.#facts.file];
         this.#paper();
-        const unequal = header.unequal;
-        const note = unequal ? tr("The two carts do not push each other equally hard.") : "";
-        say(this.note, note);
+        return header.unequal;
       }
       async #judge() {
         void this.#keep(this.editor?.text ?? "", true);
-        const note = this.note;
         this.found?.replaceChildren();
         const [scene, { file }] = [this.#scene(), this.#facts];
-        let before = null;
-        for (let part = 0, parts = 6; part !== null; ) {
-          say(note, tr("The judge looks: part {part} of {parts} …", { part: part + 1, parts }));
-          const { header } = await this.#python.ask({ do: "judge", law: file, scene, part, before });
-          before = header.judged;
-          parts = header.parts;
-          part = header.next;
-        }
-        say(note, "");
-        const meanwhile = this.#scene().laws[file] !== scene.laws[file];
-        if (meanwhile) this.#changed();
-        else this.found?.append(verdicts(before, (one) => this.#do(() => this.#example(one))));
+        const judged = await this.#python.judge({ law: file, scene }, (text) => this.#say(text));
+        const meanwhile = () => this.#scene().laws[file] !== scene.laws[file];
+        if (meanwhile()) return this.#changed();
+        this.found?.append(verdicts(judged, (one) => this.#do(() => this.#example(one))));
+        if (this.#drawn !== scene.laws[file]) await this.#draw(scene);
+        if (!meanwhile()) this.#say(tr("Judged: what was found is below."));
       }
       async #example(verdict) {
         const { header, numbers } = await this.#python.ask({ do: "run", scene: verdict.scene });
@@ -3749,8 +3757,11 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       }
       #tell(message, line2 = 0) {
         say(this.fault, message);
-        if (message) say(this.note, "");
+        if (message) this.#say("");
         if (line2) this.editor?.go(line2);
+      }
+      #say(text) {
+        say(this.note, text);
       }
       #working(on) {
         this.#bar.working(on);

@@ -34,6 +34,12 @@ carts:
 until: 3 s
 """
 
+LONG = f"{'# long' * 40}\n" * 30  # more than the box shows, and wider
+SEEN = """(box, line) => {
+  const height = parseFloat(getComputedStyle(box).lineHeight);
+  return [(line - 1) * height - box.scrollTop, box.clientHeight - height, box.scrollLeft];
+}"""
+
 
 @pytest.mark.one_browser
 def test_a_law_that_breaks_newtons_third_is_run_judged_and_its_worst_scene_shown(
@@ -45,9 +51,11 @@ def test_a_law_that_breaks_newtons_third_is_run_judged_and_its_worst_scene_shown
     expect(rows).to_have_count(0)  # a lesson may ask for them first
     press(page, "Run")
     expect(rows.filter(has_text="velocity of B at the end")).to_contain_text("0.640 m/s")
+    note = page.locator(".carts-law-note")
+    expect(note).to_have_text("Done: the new run is below.")  # on a phone it is out of sight
     write(page, HEAVY)
     press(page, "Run")
-    expect(page.locator(".carts-law-note")).to_contain_text("do not push each other equally hard")
+    expect(note).to_contain_text("do not push each other equally hard")
     pushes = rows.filter(has_text="greatest push on").all_inner_texts()
     numbers = [float(row.split("\t")[1].split()[0]) for row in pushes]
     assert numbers[1] == pytest.approx(4 * numbers[0], rel=0.02)
@@ -81,6 +89,8 @@ def test_what_was_judged_goes_with_the_law_that_it_was_of(
     write(page, HEAVY)
     press(page, "Judge")
     expect(page.locator(".carts-law-verdicts li")).to_have_count(6)
+    expect(page.locator(".carts-law-shown figcaption")).to_have_text("Your law")  # its run, too
+    expect(page.locator(".carts-law-note")).to_have_text("Judged: what was found is below.")
     box = page.get_by_label("Your law, in Python")
     box.press("End")
     page.keyboard.type(" ")
@@ -124,6 +134,7 @@ def test_a_second_law_of_the_scene_stays_and_the_blocks_own_is_judged(
             "to the power",
         ),
         ("def force(overlap):\n    x = f'{1:{9}}'\n    return 1\n", 2, ":{*}"),
+        (LONG + "def force(overlap)\n    return 1\n" + LONG, 31, "not Python"),
     ],
 )
 @pytest.mark.one_browser
@@ -140,6 +151,9 @@ def test_what_is_wrong_is_told_with_its_line_and_the_cursor_goes_there(
     expect(box).to_be_focused()
     assert text[: box.evaluate("box => box.selectionStart")].count("\n") == line - 1
     assert box.input_value() == text
+    top, height, left = box.evaluate(SEEN, line)
+    assert 0 <= top < height, "the line is in the box"
+    assert left == 0
     write(page, SPRING)
     press(page, "Run")
     expect(fault).to_have_text("")

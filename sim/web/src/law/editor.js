@@ -51,6 +51,8 @@ export class Editor {
     const start = lines.slice(0, line - 1).reduce((sum, one) => sum + one.length + 1, 0);
     this.box.focus();
     this.box.setSelectionRange(start, start + (lines[line - 1] ?? "").length);
+    this.box.scrollTop = ((line - 2) * this.box.scrollHeight) / lines.length; // with the one above it
+    this.box.scrollLeft = 0;
   }
 
   /** @param {KeyboardEvent} event */

@@ -115,7 +115,7 @@ export function lawElement(base) {
     /** What was judged is another law than that in the box. */
     #changed() {
       this.found?.replaceChildren();
-      say(/** @type {HTMLElement} */ (this.note), tr("Your law has changed: judge it again."));
+      this.#say(tr("Your law has changed: judge it again."));
     }
 
     /** @param {string} text @param {boolean} tried */
@@ -166,36 +166,32 @@ export function lawElement(base) {
 
     async #run() {
       void this.#keep(this.editor?.text ?? "", true);
-      say(/** @type {HTMLElement} */ (this.note), tr("Computing …"));
-      const scene = this.#scene();
+      this.#say(tr("Computing …"));
+      const unequal = await this.#draw(this.#scene());
+      if (unequal) this.#say(tr("The two carts do not push each other equally hard."));
+      else this.#say(tr("Done: the new run is below."));
+    }
+
+    /** Runs the scene and shows it. @param {any} scene @returns {Promise<boolean>} whether the carts push unequally */
+    async #draw(scene) {
       const { header, numbers } = await this.#python.ask({ do: "run", scene });
       const run = { header, trajectory: fromWire(header, numbers) };
       this.#show(run, /** @type {Baked} */ (this.#baked), YOURS);
       this.#drawn = scene.laws[/** @type {Facts} */ (this.#facts).file];
       this.#paper(); // it may have changed while it was computed
-      const unequal = /** @type {any} */ (header).unequal;
-      const note = unequal ? tr("The two carts do not push each other equally hard.") : "";
-      say(/** @type {HTMLElement} */ (this.note), note);
+      return header.unequal;
     }
 
     async #judge() {
       void this.#keep(this.editor?.text ?? "", true);
-      const note = /** @type {HTMLElement} */ (this.note);
       this.found?.replaceChildren();
       const [scene, { file }] = [this.#scene(), /** @type {Facts} */ (this.#facts)];
-      /** @type {any} */
-      let before = null;
-      for (let part = 0, parts = 6; part !== null; ) {
-        say(note, tr("The judge looks: part {part} of {parts} …", { part: part + 1, parts }));
-        const { header } = await this.#python.ask({ do: "judge", law: file, scene, part, before });
-        before = header.judged;
-        parts = header.parts;
-        part = header.next;
-      }
-      say(note, "");
-      const meanwhile = this.#scene().laws[file] !== scene.laws[file];
-      if (meanwhile) this.#changed();
-      else this.found?.append(verdicts(before, (one) => this.#do(() => this.#example(one))));
+      const judged = await this.#python.judge({ law: file, scene }, (text) => this.#say(text));
+      const meanwhile = () => this.#scene().laws[file] !== scene.laws[file];
+      if (meanwhile()) return this.#changed();
+      this.found?.append(verdicts(judged, (one) => this.#do(() => this.#example(one))));
+      if (this.#drawn !== scene.laws[file]) await this.#draw(scene); // the picture is of what was judged
+      if (!meanwhile()) this.#say(tr("Judged: what was found is below."));
     }
 
     /** The worst scene of one law of physics. @param {import("./verdicts.js").Verdict} verdict */
@@ -236,8 +232,13 @@ export function lawElement(base) {
     /** @param {string} message @param {number} line of the law, from 1; 0: of none */
     #tell(message, line = 0) {
       say(/** @type {HTMLElement} */ (this.fault), message);
-      if (message) say(/** @type {HTMLElement} */ (this.note), "");
+      if (message) this.#say("");
       if (line) this.editor?.go(line);
+    }
+
+    /** @param {string} text */
+    #say(text) {
+      say(/** @type {HTMLElement} */ (this.note), text);
     }
 
     /** @param {boolean} on */

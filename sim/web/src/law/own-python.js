@@ -75,6 +75,20 @@ export class OwnPython {
     }
   }
 
+  /** What the judge finds, part by part. @param {{law: string, scene: any}} whose @param {(text: string) => void} tell @returns {Promise<import("./verdicts.js").Judged>} */
+  async judge(whose, tell) {
+    /** @type {any} */
+    let before = null;
+    for (let part = 0, parts = 6; part !== null; ) {
+      tell(tr("The judge looks: part {part} of {parts} …", { part: part + 1, parts }));
+      const { header } = await this.ask({ do: "judge", ...whose, part, before });
+      before = header.judged;
+      parts = header.parts;
+      part = header.next;
+    }
+    return before;
+  }
+
   /** Ends it, whatever it does. */
   stop() {
     const runtime = this.#runtime;
