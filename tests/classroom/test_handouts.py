@@ -93,6 +93,30 @@ def test_a_slip_speaks_about_few_questions_and_names_the_rest() -> None:
     assert sorted([*told, *slip.forms[0].also]) == list(range(1, 9))
 
 
+def test_a_slip_of_two_tests_speaks_about_as_few_questions() -> None:
+    values = {f"item-{k}": "abcd"[(k + 1) % 4] for k in range(8)}
+    files = [answers(BANK, "FOX-1", form, values) for form in ("pre", "post")]
+    (slip,) = made_slips(files, BANK)
+    assert sum(len(form.look) for form in slip.forms) == MOST_TOLD
+
+
+def test_a_slip_says_of_what_its_numbers_are() -> None:
+    values = {f"item-{k}": "abcd"[(k + 1) % 4] for k in range(8)}
+    html = made_html("slips", [answers(BANK, "FOX-1", "pre", values)], BANK)
+    assert "Also look at questions 5, 6, 7, 8" in html
+    html = made_html("slips", [answers(RICH, "FOX-1", "pre", WRONG)], RICH)
+    assert "Your teacher still reads question 4" in html
+
+
+def test_students_stand_in_the_order_of_the_numbers_on_their_cards() -> None:
+    files = random_class(BANK, 12)
+    cards = [f"FOX-{k}" for k in range(12)]
+    assert [slip.student for slip in made_slips(files, BANK)] == cards
+    report = class_report(*read(files, BANK), (), Asked())
+    for form in report["lessons"][0]["forms"]:
+        assert [row["student"] for row in form["students"]] == cards
+
+
 def test_before_and_after_of_one_student_are_one_slip() -> None:
     made = made_slips(random_class(BANK, 7), BANK)
     assert len(made) == 7

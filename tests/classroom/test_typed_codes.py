@@ -32,8 +32,10 @@ def test_typed_codes_stand_beside_files() -> None:
     assert [row["total"] for row in rows] == [9, 9]
     assert [row["open"] for row in rows] == [["item-8"], ["item-8"]]
     assert len(refused) == 2
-    # What is lost stands with the numbers, not further down.
-    first = report_html(report).partition("</p><")[2]
+    # What is lost stands with the numbers; why, behind them.
+    html = report_html(report)
+    assert html.index("carts-class-refused") > html.rindex("</section>")
+    first = html.partition("</p><")[2]
     assert first.startswith('p class="carts-class-lost">2 files could not be read: ')
 
 

@@ -13,9 +13,13 @@ from sim.classroom.files.keyed import KeyedForm, KeyedItem
 from sim.classroom.handouts.answered import answer_words, right_words
 from sim.classroom.report.flags.sorted_out import ORDER
 from sim.classroom.report.marked import Answer, Keys, Marked, lesson_title
+from sim.classroom.report.numerals import in_order
 
 MOST_TOLD = 4
-"""Questions of a form that a slip speaks about; what is more is named by number."""
+"""Questions that a slip speaks about; what is more is named by number."""
+
+FEWEST_TOLD = 2
+"""Of each form, where before and after share a slip: it would be higher than half a page."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -92,7 +96,7 @@ def slips(counted: Sequence[Marked], keys: Keys, groups: Sequence[str]) -> list[
             lesson=files[0].file.lesson,
             title=lesson_title(files[0].file.lesson, (keys.of(one.file) for one in files)),
             forms=tuple(
-                form_slip(file, keys.of(file.file))
+                form_slip(file, keys.of(file.file), max(MOST_TOLD // len(files), FEWEST_TOLD))
                 for file in sorted(files, key=lambda one: ORDER.index(one.file.form))
             ),
         )
@@ -100,12 +104,12 @@ def slips(counted: Sequence[Marked], keys: Keys, groups: Sequence[str]) -> list[
     ]
     return sorted(
         made,
-        key=lambda s: (groups.index(s.group), not s.student, s.student.upper(), s.file, s.lesson),
+        key=lambda s: (groups.index(s.group), not s.student, in_order(s.student), s.file, s.lesson),
     )
 
 
-def form_slip(file: Marked, key: KeyedForm | None) -> FormSlip:
-    """What is said about one file."""
+def form_slip(file: Marked, key: KeyedForm | None, most: int) -> FormSlip:
+    """What is said about one file, and about at most so many of its questions."""
     if key is None:
         return FormSlip(form=file.file.form, saved=file.file.saved, marks=None, of=0)
     marked = [(k, key.items[name], file.answers[name]) for k, name in enumerate(key.items, 1)]
@@ -122,8 +126,8 @@ def form_slip(file: Marked, key: KeyedForm | None) -> FormSlip:
         marks=sum(a.marks for _, _, a in worth),
         of=sum(a.worth for _, _, a in worth),
         right=tuple(k for k, _, a in worth if _verdict(a) == "right"),
-        look=tuple(_look(*one) for one in wrong[:MOST_TOLD]),
-        also=tuple(sorted(k for k, _, _ in wrong[MOST_TOLD:])),
+        look=tuple(_look(*one) for one in wrong[:most]),
+        also=tuple(sorted(k for k, _, _ in wrong[most:])),
         open=tuple(k for k, _, a in worth if _verdict(a) == "empty"),
         waiting=tuple(k for k, _, a in worth if _verdict(a) == "open"),
         given=tuple(_given(k, item, a, key.items, file.answers) for k, item, a in worth

@@ -1,4 +1,4 @@
-"""Slips as HTML: one for each student, two or three on a sheet of A4, to be cut and handed out."""
+"""Slips as HTML: one for each student, four on a sheet of A4, to be cut and handed out."""
 
 from __future__ import annotations
 
@@ -10,6 +10,9 @@ from sim.classroom.report.flags.times import moment_of
 from sim.classroom.report.numerals import numbers
 from sim.classroom.show.html_parts import Tell, text, who
 from sim.scene.said import counted, said, template
+
+SHORT = 110
+"""Characters of a question: two lines of a slip. Its number stands before it."""
 
 LOOK = template("Look at these again")
 UNANSWERED = template(
@@ -70,11 +73,15 @@ def _lines(form: FormSlip, tell: Tell, *, answers: bool) -> Iterator[str]:
         looks = "".join(_look(look, tell, answers=answers) for look in form.look)
         yield f"<h4>{tell(LOOK)}</h4><ol>{looks}</ol>"
     if form.also:
-        yield _line(tell(said("Also look at {questions}", questions=numbers(form.also))))
+        yield _line(tell(counted("Also look at question {questions}",
+                                 "Also look at questions {questions}",
+                                 n=len(form.also), questions=numbers(form.also))))  # fmt: skip
     if form.open:
         yield _line(tell(said("Left open: {questions}", questions=numbers(form.open))))
     if form.waiting:
-        reads = said("Your teacher still reads {questions}", questions=numbers(form.waiting))
+        reads = counted("Your teacher still reads question {questions}",
+                        "Your teacher still reads questions {questions}",
+                        n=len(form.waiting), questions=numbers(form.waiting))  # fmt: skip
         yield _line(tell(reads))
     if form.foreign:
         other = said("You had another text of these questions, so they are not marked: {questions}",
@@ -86,7 +93,7 @@ def _lines(form: FormSlip, tell: Tell, *, answers: bool) -> Iterator[str]:
 
 
 def _look(look: Look, tell: Tell, *, answers: bool) -> str:
-    parts = [f"{text(cut(look.ask))}"]
+    parts = [f"{text(cut(look.ask, SHORT))}"]
     if look.answer:
         you = said("You answered: {answer}", answer=cut(look.answer))
         sure = f" <b>{tell(template('You were sure.'))}</b>" if look.sure else ""
@@ -100,7 +107,7 @@ def _look(look: Look, tell: Tell, *, answers: bool) -> str:
 
 
 def _given(given: Given, tell: Tell) -> str:
-    parts = [text(cut(given.ask))]
+    parts = [text(cut(given.ask, SHORT))]
     if given.idea:
         first = said("Your first idea: {idea}", idea=cut(given.idea))
         parts.append(f'<span class="carts-slip-you">{tell(first)}</span>')

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 
 from sim.scene.notation import number
@@ -29,6 +30,11 @@ def students(count: int) -> str:
 def runs(count: int) -> str:
     """1 run, 2 runs."""
     return counted("1 run", "{n} runs", n=count)
+
+
+def in_order(name: str) -> str:
+    """What names are sorted by: FOX-2 before FOX-10, as cards are handed out."""
+    return re.sub("[0-9]+", lambda digits: digits[0].zfill(9), name.upper())
 
 
 def numbers(found: Iterable[int]) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from sim.classroom.report.marked import Marked, counted_items, worth
+from sim.classroom.report.numerals import in_order
 from sim.classroom.statistics.pair_sums import PairSums, pair_sums
 
 
@@ -65,7 +66,7 @@ def pair_up(
 
 
 def _named(files: Mapping[str, Marked], students: Iterable[str]) -> tuple[str, ...]:
-    return tuple(files[student].who for student in sorted(students))
+    return tuple(files[student].who for student in sorted(students, key=in_order))
 
 
 def _counted(files: Sequence[Marked], only: Collection[str] | None) -> tuple[str, ...]:

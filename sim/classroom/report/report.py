@@ -30,6 +30,7 @@ from sim.classroom.report.marked import (
     worth,
 )
 from sim.classroom.report.notes import notes_of
+from sim.classroom.report.numerals import in_order
 from sim.classroom.report.own_runs import own_run_rows
 from sim.classroom.report.pairing import Pairs, pair_up
 from sim.classroom.report.predictions import prediction_rows
@@ -142,7 +143,9 @@ def _form(
         "groups": [_group(group, good, counted, asked) for group in asked.groups],
         "students": [
             _student(file, counted, has_key=key is not None)
-            for file in sorted(files, key=lambda f: (asked.groups.index(f.group), f.student))
+            for file in sorted(
+                files, key=lambda f: (asked.groups.index(f.group), in_order(f.student), f.student)
+            )
         ],
         "items": items,
         "beliefs": belief_rows(files, key),

@@ -27,10 +27,9 @@ ENGLISH: Mapping[str, str] = {}
 def report_html(report: Row, words: Mapping[str, str] = ENGLISH) -> str:
     """The whole report as a fragment of a page; `words`: each English sentence in the language."""
     tell = telling(words)
-    parts = [_count(report["files"], tell), _flags(report["flags"], tell),
-             _refused(report["files"], tell)]  # fmt: skip
+    parts = [_count(report["files"], tell), _flags(report["flags"], tell)]
     parts += [_lesson(lesson, report, tell) for lesson in report["lessons"]]
-    parts.append(listed(report["notes"], tell, "notes"))
+    parts += [_refused(report["files"], tell), listed(report["notes"], tell, "notes")]
     return "".join(parts)
 
 
