@@ -40,6 +40,7 @@ class Needs:
     classroom: bool = False
     reports: bool = False  # tables as of class results
     measured: bool = False  # readings of real carts
+    printed: bool = False  # made to be printed: cards, a lesson on paper
     own_words: tuple[str, ...] = ()  # elements whose words are a script of their own
     language: str = ENGLISH  # of the interface words
     challenge: bool = False  # a goal for the runs of a scene
@@ -61,6 +62,7 @@ def needs_of(
         classroom="<carts-class" in html,
         reports="carts-class-report" in html,
         measured="<carts-measured" in html,
+        printed='class="carts-paper-' in html,
         own_words=own_words(html, language),
         language=language,
         challenge="<carts-challenge" in html,
@@ -119,6 +121,7 @@ def finish(
         first += f'\n    <meta name="carts-teacher" content="{word_sum(WORD_OF, teacher_word)}">'
     sheets = ["site.css", "carts.css", *(["measured.css"] if needs.measured else [])]
     sheets += ["class.css"] if needs.classroom or needs.reports else []
+    sheets += ["sheets.css"] if needs.printed else []
     last = [f'<link rel="stylesheet" href="{assets}{name}">' for name in sheets]
     if needs.formulas:
         last += [

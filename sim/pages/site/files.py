@@ -18,8 +18,9 @@ ASSETS = "assets/carts/"
 FILM = "film.js"
 """Loaded when a reader chooses a film; no page names it."""
 _COMMENT = re.compile(rb"/\*.*?\*/\s*", re.DOTALL)
-OWN_STYLES = ("measured.css", "class.css")
-"""Of the pages with readings of real carts, and of class results, beside that of all."""
+OWN_STYLES = ("measured.css", "class.css", "sheets.css")
+"""Of the pages with readings of real carts, of class results, and of those that are made to be
+printed, beside that of all."""
 SEARCH_FROM_DISK = ASSETS + "iframe-worker.js"  # a name that keeps the theme from adding its own
 
 _WEB = Path(sim.__file__).parent / "web"
