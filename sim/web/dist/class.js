@@ -193,14 +193,14 @@
     return made;
   }
   var count = 0;
-  function askingButton(text, question, yes, act, name) {
+  function askingButton(text, question, yes, act, name, not = tr("No")) {
     const row2 = html("p", `carts-answers-asking ${name}`);
     const first = button(text, () => ask(true));
     const asked = html("span");
     const words = html("span", "", question);
     count += 1;
     words.id = `${name}-${count}`;
-    const no = button(tr("No"), () => ask(false), "carts-answers-no");
+    const no = button(not, () => ask(false), "carts-answers-no");
     const go = () => {
       ask(false);
       act();
@@ -807,7 +807,7 @@
     );
     const row2 = html("p", "carts-class-row");
     row2.append(
-      button(tr("Print"), () => window.print(), "carts-class-print"),
+      button(tr("Print this report"), () => window.print(), "carts-class-print"),
       " ",
       button(
         tr("Save report"),
@@ -845,7 +845,8 @@
       tr("Forget all files, codes and marks on this page?"),
       tr("Delete"),
       clear,
-      "carts-class-clear"
+      "carts-class-clear",
+      tr("Keep them")
     );
     root.append(row2, remove);
     const draw = () => {

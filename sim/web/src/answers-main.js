@@ -4,6 +4,7 @@ import "./shared/older.js";
 import { Bar } from "./answers/bar.js";
 import { Book } from "./answers/book.js";
 import { Panel } from "./answers/panel.js";
+import { emptyWhereUntouched } from "./answers/print.js";
 import { questionElement } from "./question/element.js";
 import { CartsAfter } from "./question/gate.js";
 import { quizElement } from "./question/quiz.js";
@@ -15,6 +16,7 @@ customElements.define("carts-after", CartsAfter);
 customElements.define("carts-quiz", quizElement(book));
 const panel = new Panel(book);
 new Bar(book, () => void panel.open());
+emptyWhereUntouched(book);
 void book.ready.then(() => performance.mark("carts:answers")); // what was kept is back
 teacherDoor();
 document.documentElement.dataset.cartsAnswers = ""; // the whole script has run: see watchdog.js

@@ -106,7 +106,7 @@ def test_a_law_that_is_cleared_in_one_tab_is_not_brought_back_by_the_other(
     kept(page, HEAVY)
     expect(text_box(other)).to_have_value(HEAVY)
     page.locator(".carts-bar-open").click()
-    page.get_by_role("button", name="Clear this laptop").click()
+    page.get_by_role("button", name="Clear my answers here").click()
     page.get_by_role("button", name="Clear my answers").click()
     expect(text_box(other)).to_have_value(start)
     other.wait_for_selector("carts-law[data-state=live]", timeout=STARTS)

@@ -166,7 +166,7 @@ def test_a_browser_that_refuses_to_clear_the_answers_is_told_of(
     page.evaluate(f"() => {{ {refuse} }}")
     page.locator(".carts-bar-open").click()
     part = page.locator(".carts-answers-leave")
-    part.get_by_role("button", name="Clear this laptop").click()
+    part.get_by_role("button", name="Clear my answers here").click()
     sure = part.get_by_role("button", name="Clear my answers")
     expect(sure).to_have_accessible_description(
         "Is your file saved? Your answers on this computer will be gone."

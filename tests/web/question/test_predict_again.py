@@ -143,8 +143,12 @@ def test_on_the_projector_hands_are_counted_and_the_run_is_revealed(
     scene = page.locator("#choice")
     scene.locator(".carts-play").evaluate("el => el.closest('carts-scene').focus()")
     scene.locator(".carts-project").click()
+    expect(scene.locator(".carts-project")).to_have_text("Leave projector (Esc)")
     size = scene.locator(".carts-ask").evaluate("el => parseFloat(getComputedStyle(el).fontSize)")
     assert size >= 28
+    picture = scene.locator(".carts-world").bounding_box()
+    assert picture
+    assert picture["height"] > 500  # no white below it
     for box, hands in zip(scene.locator(".carts-hands input").all(), ("18", "6"), strict=True):
         box.fill(hands)
     expect(scene.locator(".carts-hands").first).to_contain_text("18 of 24")
@@ -155,6 +159,7 @@ def test_on_the_projector_hands_are_counted_and_the_run_is_revealed(
     expect(page.locator("#second")).to_have_class(re.compile("carts-projector"))
     page.keyboard.press("p")
     expect(page.locator("#second")).not_to_have_class(re.compile("carts-projector"))
+    expect(page.locator("#second .carts-project")).to_have_text("projector")
     page.reload()
     live(page, "choice")
     expect(scene.locator(".carts-results")).to_be_hidden()  # nothing was kept

@@ -54,7 +54,7 @@ def test_answers_that_are_cleared_in_one_tab_are_gone_in_the_other(
     expect(other.locator("#why textarea")).to_have_value("of whom sat here before")
     other.evaluate("sessionStorage.setItem('carts-watched', '[\"a run\"]')")
     page.locator(".carts-bar-open").click()
-    page.get_by_role("button", name="Clear this laptop").click()
+    page.get_by_role("button", name="Clear my answers here").click()
     page.get_by_role("button", name="Clear my answers").click()
     expect(other.locator("#why textarea")).to_have_value("")
     assert other.evaluate("sessionStorage.getItem('carts-watched')") is None

@@ -121,11 +121,35 @@ def test_what_was_answered_and_watched_is_not_on_an_empty_sheet(
     expect(page.locator("#momentum-stays-ask")).to_have_count(1)
 
 
-def test_a_prediction_is_printed_on_the_page_of_its_picture(
+def test_a_lesson_that_nobody_has_worked_in_is_an_empty_sheet_by_the_browsers_way_to_print(
     site: Path, open_page: OpenPage
+) -> None:
+    page = open_page(site / "worksheets" / "newtons-third-law.html", folder=site)
+    page.locator(".carts-bar[data-ready]").wait_for()
+    root = page.locator("html")
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    expect(root).to_have_class(re.compile("carts-print-empty"))
+    head = page.locator(".carts-print-head")
+    expect(head).to_contain_text("To print all questions: “My answers”, “Print empty”.")
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    expect(head).not_to_contain_text("To print")
+    expect(root).not_to_have_class(re.compile("carts-print-empty"))
+    page.locator("carts-question [type=radio]").first.check()
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    expect(root).not_to_have_class(re.compile("carts-print-empty"))
+
+
+@pytest.mark.parametrize("empty", [False, True])
+def test_a_prediction_is_printed_on_the_page_of_its_picture(
+    empty: bool, site: Path, open_page: OpenPage
 ) -> None:
     page = open_page(site / "worksheets" / "momentum-and-restitution.html", folder=site)
     page.emulate_media(media="print")
+    if empty:
+        page.evaluate("document.documentElement.classList.add('carts-print-empty')")
+        expect(page.locator("#momentum-stays > .carts-frame")).to_have_css(
+            "border-top-width", "0px"
+        )
     apart = page.locator("#momentum-stays .carts-frame > *").evaluate_all(
         """(parts) => parts.slice(0, parts.findIndex((one) => one.matches(".carts-predict")))
             .filter((one) => one.checkVisibility() && getComputedStyle(one).breakAfter !== "avoid")

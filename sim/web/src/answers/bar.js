@@ -8,7 +8,7 @@ import { html, say, svg } from "../shared/dom.js";
 import { recallOnce } from "../shared/tab.js";
 import { outline } from "./outline.js";
 
-/** What the tab remembers of who has just said who works here: the page is read anew for them. */
+/** What the tab remembers of who has just said who works here, empty after clearing: the page is read anew. */
 export const CAME = "carts-just-came";
 const GREETS = 6000; // ms
 
@@ -69,14 +69,17 @@ export class Bar {
     else document.body.append(this.root);
   }
 
-  /** Says whose answers these are, to whom has just given a code word. */
+  /** Says whose answers these are, to whom has just given a code word; and that all was cleared. */
   #greet() {
     const { student } = this.book;
-    if (recallOnce(CAME) !== student || !student) return;
+    if (recallOnce(CAME) !== student) return;
     const told = html("p", "carts-bar-told");
     told.setAttribute("role", "status");
     this.root.prepend(told);
-    setTimeout(() => say(told, tr("These are the answers of {student}.", { student })), 0);
+    const words = student
+      ? tr("These are the answers of {student}.", { student })
+      : tr("Cleared. The next student can begin.");
+    setTimeout(() => say(told, words), 0);
     setTimeout(() => told.remove(), GREETS);
   }
 
@@ -86,6 +89,7 @@ export class Bar {
     this.meter.max = of || 1;
     this.meter.value = done;
     say(this.count, of ? tr("{part} of {all}", { part: done, all: of }) : "");
+    this.count.dataset.short = of ? `${done}/${of}` : "";
     say(this.who, this.book.student || (outline() ? tr("no code word yet") : ""));
     this.who.hidden = !this.who.textContent;
     const code = this.book.student;

@@ -7,10 +7,10 @@ import { onEnter } from "../shared/enter.js";
 import { readCode } from "./codes.js";
 import { csvText } from "./csv.js";
 import { fileName, makeFiles, readFile, tooLarge } from "./file.js";
-import { button, clock, codeBox, part, status } from "./parts.js";
+import { button, clock, codeBox, fault, part, status } from "./parts.js";
 
 const NAMES = /** @type {Record<string, string>} */ ({
-  worksheet: tr("worksheet"),
+  worksheet: tr("lesson"),
   pre: tr("test before"),
   post: tr("test after"),
   delayed: tr("last test"),
@@ -43,7 +43,10 @@ function rows(book, told, draw) {
       .sort()
       .pop();
     const name = html("span", "carts-answers-name");
-    name.append(html("strong", "", file.lesson), ` · ${NAMES[file.form]} · ${held(book, file)}`);
+    name.append(
+      html("strong", "", titleOf(book, file)),
+      ` · ${NAMES[file.form]} · ${held(book, file)}`,
+    );
     if (last) name.append(html("span", "carts-quiet", ` · ${clock(last)}`));
     const asked = html("p", "carts-answers-whose");
     const keep = (/** @type {string} */ student) => {
@@ -84,6 +87,12 @@ function rows(book, told, draw) {
   });
 }
 
+/** @param {import("./book.js").Book} book @param {import("./file.js").AnswerFile} file */
+function titleOf(book, { page, lesson }) {
+  const title = page === book.page && document.querySelector("h1")?.firstChild?.textContent;
+  return title || lesson;
+}
+
 /**
  * How much a file holds; that of this page as the line at the foot counts it, and what goes beyond: parts for
  * who has time, found forces, earlier answers. Two numbers for one page would be a riddle.
@@ -108,7 +117,7 @@ function askWhose(place, book, keep, draw) {
   const told = status();
   const withCode = async () => {
     const found = readCode(box.value);
-    if ("problem" in found) return say(told, found.problem);
+    if ("problem" in found) return fault(told, found.problem);
     const { code } = found;
     keep(code);
     // Mistyped, it may be the code word of somebody who worked here before.
@@ -152,7 +161,7 @@ function elsewhere(found, book) {
   const words = [];
   if (found.student !== book.student) {
     const whose = found.student || tr("somebody without a code word");
-    words.push(tr("They belong to {whose}: continue under that code word to see them.", { whose }));
+    words.push(tr("This file is of {whose}.", { whose }));
   }
   if (!found.entries.some(([key]) => key.startsWith(`${book.page}#`))) {
     // Firefox keeps what a page of a folder has for that page alone.
@@ -160,21 +169,29 @@ function elsewhere(found, book) {
     const page = { page: found.lesson };
     words.push(
       alone
-        ? tr(
-            "They belong to the page “{page}”: open that page and bring the file back there.",
-            page,
-          )
-        : tr("They belong to the page “{page}”: open that page to see them.", page),
+        ? tr("It belongs to the page “{page}”: open that page and bring the file back there.", page)
+        : tr("It belongs to the page “{page}”: open that page to see its answers.", page),
     );
   }
   return words.join(" ");
 }
 
+/** As typed above, with what is asked there. @param {string} student */
+function continueAs(student) {
+  return button(tr("Continue as {student}", { student }), () => {
+    const who = document.querySelector(".carts-answers-who");
+    const box = /** @type {HTMLInputElement | null | undefined} */ (who?.querySelector("input"));
+    if (box) box.value = student;
+    who?.scrollIntoView();
+    /** @type {HTMLElement | null | undefined} */ (who?.querySelector("button"))?.click();
+  });
+}
+
 /** @param {import("./book.js").Book} book @param {HTMLElement} told */
 function importRow(book, told) {
   const row = html("p", "carts-answers-import");
-  const label = html("label", "", `${tr("Bring answers back from a file")} `);
-  const box = /** @type {HTMLInputElement} */ (html("input", "carts-answers-open"));
+  const label = html("label", "carts-button", tr("Bring answers back from a file"));
+  const box = /** @type {HTMLInputElement} */ (html("input", "carts-answers-open carts-hidden"));
   Object.assign(box, { type: "file", accept: ".json,application/json" });
   label.append(box);
   row.append(label);
@@ -183,13 +200,16 @@ function importRow(book, told) {
     if (!file) return;
     const found = tooLarge(file.size) ?? readFile(await file.text().catch(() => ""), book.site);
     box.value = ""; // the same file may be chosen again
-    if ("problem" in found) return say(told, found.problem);
+    if ("problem" in found) return fault(told, `${file.name}: ${found.problem}`);
     const changed = await book.take(found.student, found.entries).catch(() => -1);
-    if (changed < 0) return say(told, tr("This browser refuses to keep the answers of this file."));
+    if (changed < 0)
+      return fault(told, tr("This browser refuses to keep the answers of this file."));
     const where = elsewhere(found, book);
     const count = counted("1 answer", "{n} answers", changed);
     const taken = tr("{count} taken from the file; nothing that was here is lost.", { count });
     say(told, `${taken} ${where}`.trim());
+    const { student } = found;
+    if (student && student !== book.student) told.append(" ", continueAs(student));
     // A scene takes its prediction up only when the page is read.
     const predicted = found.entries.some(([, entry]) => entry.locked);
     if (!where && changed && predicted && book.lasts) setTimeout(() => location.reload(), 1500);

@@ -2,7 +2,8 @@
 
 import { tr } from "../../../view/language.js";
 import { html, say } from "../shared/dom.js";
-import { forgetTab } from "../shared/tab.js";
+import { forgetTab, retain } from "../shared/tab.js";
+import { CAME } from "./bar.js";
 import { askingButton, part, status } from "./parts.js";
 
 /** @param {import("./book.js").Book} book @returns {HTMLElement} */
@@ -21,16 +22,18 @@ export function leavePart(book) {
       );
     }
     forgetTab();
+    retain(CAME, "");
     location.reload();
   };
   root.append(
     html("p", "carts-answers-where", whereKept(book)),
     askingButton(
-      tr("Clear this laptop"),
+      tr("Clear my answers here"),
       tr("Is your file saved? Your answers on this computer will be gone."),
       tr("Clear my answers"),
       () => void forget(false),
       "carts-answers-clear",
+      tr("Keep them"),
     ),
     askingButton(
       tr("Delete everything"),
@@ -38,6 +41,7 @@ export function leavePart(book) {
       tr("Delete all of them"),
       () => void forget(true),
       "carts-answers-delete",
+      tr("Keep them"),
     ),
     told,
   );

@@ -26,7 +26,8 @@ export function listPart(book) {
     );
     root.append(row);
   }
-  if (!shown.length) root.append(html("p", "carts-quiet", tr("Nothing to show.")));
+  if (!shown.length && !hidden)
+    root.append(html("p", "carts-quiet", tr("No answers on this page yet.")));
   if (hidden)
     root.append(
       html(

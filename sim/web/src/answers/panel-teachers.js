@@ -9,7 +9,7 @@ import { wordSum } from "../question/opening.js";
 import { html, say } from "../shared/dom.js";
 import { recall, retain } from "../shared/tab.js";
 import { KEY, teachersWord } from "../teach/door.js";
-import { askingButton, status } from "./parts.js";
+import { askingButton, fault, status } from "./parts.js";
 
 /** @returns {HTMLElement | ""} nothing where nothing waits */
 export function teachersPart() {
@@ -29,7 +29,7 @@ export function teachersPart() {
     tr("Open them now"),
     () => {
       if (sum && wordSum("teacher", box.value) !== sum) {
-        return say(told, tr("That is not the word."));
+        return fault(told, tr("That is not the word."));
       }
       if (sum) retain(KEY, sum);
       openAll();
@@ -39,6 +39,7 @@ export function teachersPart() {
     },
     "carts-answers-open-all",
   );
+  root.addEventListener("toggle", () => root.scrollIntoView({ block: "nearest" })); // it is the last
   root.append(html("summary", "", tr("For teachers")), ...(sum ? [label] : []), key, told);
   return root;
 }

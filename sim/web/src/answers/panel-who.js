@@ -6,7 +6,7 @@ import { onEnter } from "../shared/enter.js";
 import { forgetTab, retain } from "../shared/tab.js";
 import { CAME } from "./bar.js";
 import { readCode } from "./codes.js";
-import { button, codeBox, part, status } from "./parts.js";
+import { button, codeBox, fault, part, status } from "./parts.js";
 
 /** @param {import("./book.js").Book} book @returns {HTMLElement} */
 export function whoPart(book) {
@@ -34,7 +34,7 @@ export function whoPart(book) {
   async function look() {
     choices.replaceChildren();
     const found = readCode(box.value);
-    if ("problem" in found) return say(told, found.problem);
+    if ("problem" in found) return fault(told, found.problem);
     const { code } = found;
     if (code === student) return say(told, tr("That is who works here now."));
     const here = book.entries().length > 0;

@@ -22,15 +22,15 @@ export function button(text, act, name = "") {
 
 let count = 0; // of buttons that ask
 
-/** A button that asks before it acts, in the page. @param {string} text @param {string} question @param {string} yes @param {() => void} act @param {string} name */
-export function askingButton(text, question, yes, act, name) {
+/** A button that asks before it acts, in the page. @param {string} text @param {string} question @param {string} yes @param {() => void} act @param {string} name @param {string} not what is pressed else */
+export function askingButton(text, question, yes, act, name, not = tr("No")) {
   const row = html("p", `carts-answers-asking ${name}`);
   const first = button(text, () => ask(true));
   const asked = html("span");
   const words = html("span", "", question);
   count += 1;
   words.id = `${name}-${count}`; // said with each of the buttons: the focus goes to one
-  const no = button(tr("No"), () => ask(false), "carts-answers-no");
+  const no = button(not, () => ask(false), "carts-answers-no");
   const go = () => {
     ask(false); // before: the act may lead elsewhere
     act();
@@ -64,6 +64,11 @@ export function status() {
   const made = html("p", "carts-answers-status");
   made.setAttribute("role", "status");
   return made;
+}
+
+/** Says in such a line why something was not done. @param {HTMLElement} line @param {string} problem */
+export function fault(line, problem) {
+  line.replaceChildren(html("b", "carts-answers-fault", problem));
 }
 
 /** @param {string | null | undefined} time ISO @returns {string} on this computer's clock */

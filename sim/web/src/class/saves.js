@@ -37,7 +37,7 @@ export function actions({ element, report, ask, say, clear }) {
   );
   const row = html("p", "carts-class-row");
   row.append(
-    button(tr("Print"), () => window.print(), "carts-class-print"),
+    button(tr("Print this report"), () => window.print(), "carts-class-print"),
     " ",
     button(
       tr("Save report"),
@@ -76,6 +76,7 @@ export function actions({ element, report, ask, say, clear }) {
     tr("Delete"),
     clear,
     "carts-class-clear",
+    tr("Keep them"),
   );
   root.append(row, remove);
   const draw = () => {

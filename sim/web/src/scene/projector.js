@@ -82,7 +82,9 @@ function mark(scene, on) {
   if (!on && isOn(scene)) void scene.conceal?.();
   scene.classList.toggle(PROJECTED, on);
   document.documentElement.classList.toggle("carts-projecting", shown().length > 0);
-  scene.querySelector(".carts-project")?.setAttribute("aria-pressed", String(on));
+  const button = scene.querySelector(".carts-project");
+  button?.setAttribute("aria-pressed", String(on));
+  if (button) say(button, on ? tr("Leave projector (Esc)") : tr("projector"));
 }
 
 /** A box for the number of hands, and a bar as long as its part of all. @param {Scene} scene @param {Element} option */
