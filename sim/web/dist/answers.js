@@ -211,11 +211,12 @@
     }
     #greet() {
       const { student } = this.book;
-      if (recallOnce(CAME) !== student || !student) return;
+      if (recallOnce(CAME) !== student) return;
       const told2 = html("p", "carts-bar-told");
       told2.setAttribute("role", "status");
       this.root.prepend(told2);
-      setTimeout(() => say(told2, tr("These are the answers of {student}.", { student })), 0);
+      const words3 = student ? tr("These are the answers of {student}.", { student }) : tr("Cleared. The next student can begin.");
+      setTimeout(() => say(told2, words3), 0);
       setTimeout(() => told2.remove(), GREETS);
     }
     show() {
@@ -224,6 +225,7 @@
       this.meter.max = of || 1;
       this.meter.value = done;
       say(this.count, of ? tr("{part} of {all}", { part: done, all: of }) : "");
+      this.count.dataset.short = of ? `${done}/${of}` : "";
       say(this.who, this.book.student || (outline() ? tr("no code word yet") : ""));
       this.who.hidden = !this.who.textContent;
       const code = this.book.student;
@@ -1105,14 +1107,14 @@
     return made2;
   }
   var count = 0;
-  function askingButton(text, question, yes, act, name) {
+  function askingButton(text, question, yes, act, name, not = tr("No")) {
     const row = html("p", `carts-answers-asking ${name}`);
     const first = button(text, () => ask2(true));
     const asked2 = html("span");
     const words3 = html("span", "", question);
     count += 1;
     words3.id = `${name}-${count}`;
-    const no = button(tr("No"), () => ask2(false), "carts-answers-no");
+    const no = button(not, () => ask2(false), "carts-answers-no");
     const go = () => {
       ask2(false);
       act();
@@ -1142,6 +1144,9 @@
     made2.setAttribute("role", "status");
     return made2;
   }
+  function fault(line, problem) {
+    line.replaceChildren(html("b", "carts-answers-fault", problem));
+  }
   function clock(time) {
     const date = new Date(time ?? "");
     return Number.isNaN(date.getTime()) ? "" : date.toLocaleString(document.documentElement.lang || [], {
@@ -1152,7 +1157,7 @@
 
   // src/answers/panel-files.js
   var NAMES = {
-    worksheet: tr("worksheet"),
+    worksheet: tr("lesson"),
     pre: tr("test before"),
     post: tr("test after"),
     delayed: tr("last test")
@@ -1178,7 +1183,10 @@
       const row = html("div", "carts-answers-file");
       const last = file.content.items.map((item2) => item2.last).sort().pop();
       const name = html("span", "carts-answers-name");
-      name.append(html("strong", "", file.lesson), ` · ${NAMES[file.form]} · ${held(book2, file)}`);
+      name.append(
+        html("strong", "", titleOf(book2, file)),
+        ` · ${NAMES[file.form]} · ${held(book2, file)}`
+      );
       if (last) name.append(html("span", "carts-quiet", ` · ${clock(last)}`));
       const asked2 = html("p", "carts-answers-whose");
       const keep = (student) => {
@@ -1219,6 +1227,10 @@
       return row;
     });
   }
+  function titleOf(book2, { page, lesson }) {
+    const title = page === book2.page && document.querySelector("h1")?.firstChild?.textContent;
+    return title || lesson;
+  }
   function held(book2, { form: form2, page, content }) {
     const all = content.items.length;
     const { done, of } = book2.progress();
@@ -1235,7 +1247,7 @@
     const told2 = status();
     const withCode = async () => {
       const found2 = readCode(box.value);
-      if ("problem" in found2) return say(told2, found2.problem);
+      if ("problem" in found2) return fault(told2, found2.problem);
       const { code } = found2;
       keep(code);
       if (await book2.has(code).catch(() => true)) {
@@ -1274,24 +1286,30 @@
     const words3 = [];
     if (found2.student !== book2.student) {
       const whose = found2.student || tr("somebody without a code word");
-      words3.push(tr("They belong to {whose}: continue under that code word to see them.", { whose }));
+      words3.push(tr("This file is of {whose}.", { whose }));
     }
     if (!found2.entries.some(([key]) => key.startsWith(`${book2.page}#`))) {
       const alone2 = location.protocol === "file:" && navigator.userAgent.includes("Firefox/");
       const page = { page: found2.lesson };
       words3.push(
-        alone2 ? tr(
-          "They belong to the page “{page}”: open that page and bring the file back there.",
-          page
-        ) : tr("They belong to the page “{page}”: open that page to see them.", page)
+        alone2 ? tr("It belongs to the page “{page}”: open that page and bring the file back there.", page) : tr("It belongs to the page “{page}”: open that page to see its answers.", page)
       );
     }
     return words3.join(" ");
   }
+  function continueAs(student) {
+    return button(tr("Continue as {student}", { student }), () => {
+      const who = document.querySelector(".carts-answers-who");
+      const box = who?.querySelector("input");
+      if (box) box.value = student;
+      who?.scrollIntoView();
+      who?.querySelector("button")?.click();
+    });
+  }
   function importRow(book2, told2) {
     const row = html("p", "carts-answers-import");
-    const label = html("label", "", `${tr("Bring answers back from a file")} `);
-    const box = html("input", "carts-answers-open");
+    const label = html("label", "carts-button", tr("Bring answers back from a file"));
+    const box = html("input", "carts-answers-open carts-hidden");
     Object.assign(box, { type: "file", accept: ".json,application/json" });
     label.append(box);
     row.append(label);
@@ -1300,13 +1318,16 @@
       if (!file) return;
       const found2 = tooLarge(file.size) ?? readFile(await file.text().catch(() => ""), book2.site);
       box.value = "";
-      if ("problem" in found2) return say(told2, found2.problem);
+      if ("problem" in found2) return fault(told2, `${file.name}: ${found2.problem}`);
       const changed = await book2.take(found2.student, found2.entries).catch(() => -1);
-      if (changed < 0) return say(told2, tr("This browser refuses to keep the answers of this file."));
+      if (changed < 0)
+        return fault(told2, tr("This browser refuses to keep the answers of this file."));
       const where = elsewhere(found2, book2);
       const count2 = counted("1 answer", "{n} answers", changed);
       const taken = tr("{count} taken from the file; nothing that was here is lost.", { count: count2 });
       say(told2, `${taken} ${where}`.trim());
+      const { student } = found2;
+      if (student && student !== book2.student) told2.append(" ", continueAs(student));
       const predicted = found2.entries.some(([, entry]) => entry.locked);
       if (!where && changed && predicted && book2.lasts) setTimeout(() => location.reload(), 1500);
     });
@@ -1329,23 +1350,26 @@
         );
       }
       forgetTab();
+      retain(CAME, "");
       location.reload();
     };
     root.append(
       html("p", "carts-answers-where", whereKept(book2)),
       askingButton(
-        tr("Clear this laptop"),
+        tr("Clear my answers here"),
         tr("Is your file saved? Your answers on this computer will be gone."),
         tr("Clear my answers"),
         () => void forget(false),
-        "carts-answers-clear"
+        "carts-answers-clear",
+        tr("Keep them")
       ),
       askingButton(
         tr("Delete everything"),
         tr("This deletes the answers of everybody who worked on this computer."),
         tr("Delete all of them"),
         () => void forget(true),
-        "carts-answers-delete"
+        "carts-answers-delete",
+        tr("Keep them")
       ),
       told2
     );
@@ -1382,10 +1406,10 @@
     const all = options.length > 0 && options.every((count2) => count2 > 0);
     return all && options.reduce((size, count2) => size * BigInt(count2 + 1), 1n) <= 1n << ANSWER_BITS;
   }
-  function encode(options, chosen2, form2) {
+  function encode(options, chosen3, form2) {
     let number3 = 0n;
     options.forEach((count2, k) => {
-      number3 = number3 * BigInt(count2 + 1) + BigInt(chosen2[k] ?? 0);
+      number3 = number3 * BigInt(count2 + 1) + BigInt(chosen3[k] ?? 0);
     });
     const whole2 = number3 << CHECK_BITS | BigInt(check(number3, form2));
     const letters = Array.from(
@@ -1621,10 +1645,10 @@
       #code() {
         const options = this.facts.items.map((item2) => item2[1]);
         if (!fits(options)) return "";
-        const chosen2 = this.#questions().map((question) => {
+        const chosen3 = this.#questions().map((question) => {
           return isEmpty(question.value) ? 0 : question.facts.options.indexOf(question.value) + 1;
         });
-        return encode(options, chosen2, `${this.facts.form}:${this.facts.hash}`);
+        return encode(options, chosen3, `${this.facts.form}:${this.facts.hash}`);
       }
       async #keep(state) {
         try {
@@ -1670,22 +1694,43 @@
   }
 
   // src/answers/print.js
+  var EMPTY = "carts-print-empty";
+  var ALL = "carts-print-all";
+  var chosen = false;
   function print(empty) {
-    const { classList } = document.documentElement;
-    classList.toggle("carts-print-empty", empty);
-    const back = empty ? blanked() : [];
+    chosen = true;
+    const undo = empty ? emptied([EMPTY, ALL]) : () => {
+    };
     for (const dialog of document.querySelectorAll("dialog")) dialog.close();
     printWith(() => {
-      classList.remove("carts-print-empty");
-      for (const undo of back) undo();
+      chosen = false;
+      undo();
     });
   }
-  function blanked() {
+  function emptyWhereUntouched(book2) {
+    addEventListener("beforeprint", () => {
+      const answered2 = book2.entries().some(([key]) => key.startsWith(`${book2.page}#`));
+      const worked = answered2 || document.querySelector("[data-watched], [data-printing]");
+      if (chosen || worked || !outline()) return;
+      const how = tr("To print all questions: “My answers”, “Print empty”.");
+      addEventListener("afterprint", emptied([EMPTY], `${how} `), { once: true });
+    });
+  }
+  function emptied(names, how = "") {
+    const { classList } = document.documentElement;
+    classList.add(...names);
+    const back = blanked(how);
+    return () => {
+      classList.remove(...names);
+      for (const undo of back) undo();
+    };
+  }
+  function blanked(how) {
     const scenes = [...document.querySelectorAll("carts-scene")].map(blank);
     const head = document.querySelector(".carts-print-head");
     if (!head) return scenes;
     const text = head.textContent;
-    say(head, tr("Code word: {code}", { code: "____________________" }));
+    say(head, how + tr("Code word: {code}", { code: "____________________" }));
     return [...scenes, () => say(head, text)];
   }
   function blank(scene) {
@@ -1716,7 +1761,8 @@
       );
       root.append(row);
     }
-    if (!shown.length) root.append(html("p", "carts-quiet", tr("Nothing to show.")));
+    if (!shown.length && !hidden)
+      root.append(html("p", "carts-quiet", tr("No answers on this page yet.")));
     if (hidden)
       root.append(
         html(
@@ -1894,7 +1940,7 @@
       tr("Open them now"),
       () => {
         if (sum && wordSum("teacher", box.value) !== sum) {
-          return say(told2, tr("That is not the word."));
+          return fault(told2, tr("That is not the word."));
         }
         if (sum) retain(KEY, sum);
         openAll2();
@@ -1904,6 +1950,7 @@
       },
       "carts-answers-open-all"
     );
+    root.addEventListener("toggle", () => root.scrollIntoView({ block: "nearest" }));
     root.append(html("summary", "", tr("For teachers")), ...sum ? [label] : [], key, told2);
     return root;
   }
@@ -1935,7 +1982,7 @@
     async function look() {
       choices.replaceChildren();
       const found2 = readCode(box.value);
-      if ("problem" in found2) return say(told2, found2.problem);
+      if ("problem" in found2) return fault(told2, found2.problem);
       const { code } = found2;
       if (code === student) return say(told2, tr("That is who works here now."));
       const here = book2.entries().length > 0;
@@ -2145,7 +2192,7 @@
   var RULES = {
     single({ options, key, marks }, value) {
       if (!options.includes(value)) return made("unclear", 0, marks);
-      return chosen([value], key, key.correct.includes(value), false, marks);
+      return chosen2([value], key, key.correct.includes(value), false, marks);
     },
     multiple({ options, key, marks }, value) {
       if (!Array.isArray(value) || !value.every((item2) => options.includes(item2))) {
@@ -2154,7 +2201,7 @@
       const picked = options.filter((item2) => value.includes(item2));
       const right = picked.filter((item2) => key.correct.includes(item2));
       const exact = right.length === picked.length && right.length === key.correct.length;
-      return chosen(picked, key, exact, right.length > 0, marks);
+      return chosen2(picked, key, exact, right.length > 0, marks);
     },
     number: ({ key, marks }, value) => near(value, key.answer, key.tolerance, marks, key),
     reading({ key, marks }, value, own) {
@@ -2235,7 +2282,7 @@
     if (right) return made("right", of, of, [...shown, "explain"]);
     return made(some ? "partly" : "wrong", 0, of, shown, beliefs);
   }
-  function chosen(picked, key, right, some, of) {
+  function chosen2(picked, key, right, some, of) {
     const shown = picked.map((item2) => `option-${item2}`).filter((name) => key.feedback.includes(name));
     const beliefs = picked.flatMap(
       (item2) => Object.hasOwn(key.beliefs, item2) ? key.beliefs[item2] : []
@@ -2416,10 +2463,10 @@
         changed();
       });
     }
-    const chosen2 = () => rows2.filter((row) => select(row).value);
+    const chosen3 = () => rows2.filter((row) => select(row).value);
     return {
       get value() {
-        return Object.fromEntries(chosen2().map((row) => [row.dataset.left, select(row).value]));
+        return Object.fromEntries(chosen3().map((row) => [row.dataset.left, select(row).value]));
       },
       set value(value) {
         for (const row of rows2) {
@@ -2431,12 +2478,12 @@
       enable(on) {
         for (const row of rows2) select(row).disabled = !on;
       },
-      said: () => chosen2().map((row) => {
+      said: () => chosen3().map((row) => {
         const right = root.querySelector(`[data-right="${CSS.escape(select(row).value)}"]`);
         return `${textOf(row)} – ${textOf(right)}`;
       }).join("; "),
       marked: (shown) => {
-        for (const row of chosen2())
+        for (const row of chosen3())
           mark2(row, shown.includes(`pair-${row.dataset.left}`) ? "right" : "wrong");
       }
     };
@@ -3356,6 +3403,7 @@
   customElements.define("carts-quiz", quizElement(book));
   var panel = new Panel(book);
   new Bar(book, () => void panel.open());
+  emptyWhereUntouched(book);
   void book.ready.then(() => performance.mark("carts:answers"));
   teacherDoor();
   document.documentElement.dataset.cartsAnswers = "";

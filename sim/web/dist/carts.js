@@ -6391,7 +6391,9 @@
     if (!on && isOn(scene)) void scene.conceal?.();
     scene.classList.toggle(PROJECTED, on);
     document.documentElement.classList.toggle("carts-projecting", shown2().length > 0);
-    scene.querySelector(".carts-project")?.setAttribute("aria-pressed", String(on));
+    const button = scene.querySelector(".carts-project");
+    button?.setAttribute("aria-pressed", String(on));
+    if (button) say(button, on ? tr("Leave projector (Esc)") : tr("projector"));
   }
   function count(scene, option2) {
     const line3 = html("span", "carts-hands");

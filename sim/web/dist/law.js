@@ -2264,14 +2264,14 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
     return made;
   }
   var count = 0;
-  function askingButton(text, question, yes, act, name) {
+  function askingButton(text, question, yes, act, name, not = tr("No")) {
     const row = html("p", `carts-answers-asking ${name}`);
     const first = button(text, () => ask(true));
     const asked2 = html("span");
     const words = html("span", "", question);
     count += 1;
     words.id = `${name}-${count}`;
-    const no = button(tr("No"), () => ask(false), "carts-answers-no");
+    const no = button(not, () => ask(false), "carts-answers-no");
     const go = () => {
       ask(false);
       act();

@@ -1233,14 +1233,14 @@
     return made2;
   }
   var count = 0;
-  function askingButton(text2, question, yes, act, name) {
+  function askingButton(text2, question, yes, act, name, not = tr("No")) {
     const row = html("p", `carts-answers-asking ${name}`);
     const first = button(text2, () => ask(true));
     const asked = html("span");
     const words = html("span", "", question);
     count += 1;
     words.id = `${name}-${count}`;
-    const no = button(tr("No"), () => ask(false), "carts-answers-no");
+    const no = button(not, () => ask(false), "carts-answers-no");
     const go = () => {
       ask(false);
       act();
