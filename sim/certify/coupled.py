@@ -178,7 +178,7 @@ class CoupledPhase:
         return found
 
     def crests(self, gap: Gap, until: Ball) -> Iterator[tuple[Ball, Ball]]:
-        """When the force of a gap stops to grow [s], and what it is then [N]; perhaps at once."""
+        """When the force of a gap stops growing [s], and what it is then [N]; perhaps at once."""
         k = self.gaps.index(gap)
         doubt = said("when the force between {pair} is greatest", pair=gap.shown)
         at, rising, p = ZERO, False, 0

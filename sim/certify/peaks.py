@@ -1,8 +1,8 @@
 """When a contact pushes most, over all the motions that it takes part in.
 
 A bumper does so where it turns: its force grows with the overlap, and on its way back it stays
-below. Any other law, or a bumper that is met again on its way back, where its force stops to grow,
-or where a motion begins with a falling force.
+below. Any other law pushes most where its force stops growing, or where a motion begins with a
+falling force; so does a bumper that is met again on its way back.
 """
 
 from __future__ import annotations

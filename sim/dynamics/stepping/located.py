@@ -1,4 +1,4 @@
-"""Locating events: a step keeps its formulas and ends where one of them stops to hold.
+"""Locating events: a step keeps its formulas and ends where one of them stops holding.
 
 A guard is a number that is positive while a formula holds: the room of a gap, the force or the
 rate of a contact, the velocity of a sliding cart, what static friction has in reserve. Where one
