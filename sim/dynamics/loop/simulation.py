@@ -165,7 +165,7 @@ class Simulation(Forming):
         gap = touched[0]
         if gap.law is not None:
             flips.note(gap, now, self.instant)
-            over = transitions.comes_to_nothing(gap, self.least, self.ledger)
+            over = transitions.end_negligible_approach(gap, self.least, self.ledger)
             if not over or gap.flips >= flips.UNDECIDED:  # what presses it gives it more and more
                 contacts.touch(gap, now, self.record, self.ledger)
         elif block := [one for one in touched if one.rate <= self.strikes.parts]:
@@ -206,7 +206,7 @@ class Simulation(Forming):
         bodies, gaps = self.settle_touched([body, *near], list(beside), now)
         for gap in motion.members:
             gap.plain = 0 if motion.ends else gap.plain + 1
-        self.happened += transitions.leave(
+        self.happened += transitions.carry_out_ends(
             motion, now, self.record, self.ledger, self.instant, self.least
         )
         for block in transitions.struck(motion, beside, self.chain, self.ledger, now):

@@ -26,7 +26,7 @@ from sim.dynamics.state.clock import Time
 from sim.laws.branch import Cause
 
 
-def leave(
+def carry_out_ends(
     motion: Motion, now: Time, record: Record, ledger: Ledger, instant: float, least: float
 ) -> int:
     """Carry out all that ended a settled motion, but for touches without a duration (`struck`).
@@ -46,7 +46,7 @@ def leave(
             motion.bodies[end.k].slips = end.way
         else:
             gap = motion.members[end.k]
-            if end.cause == "touch" and comes_to_nothing(gap, least, ledger):
+            if end.cause == "touch" and end_negligible_approach(gap, least, ledger):
                 gap.room = -resting(gap)
             else:
                 happened += _in_gap(end.cause, gap, now, record, ledger)
@@ -87,8 +87,9 @@ NOTHING = 1e-20
 what moves further it is far below the last bit of a velocity."""
 
 
-def comes_to_nothing(gap: Gap, least: float, ledger: Ledger) -> bool:
-    """Is what is left of an approach nothing, less than `least` [m/s]? Then it is over.
+def end_negligible_approach(gap: Gap, least: float, ledger: Ledger) -> bool:
+    """Whether an approach slower than `least` [m/s] is over. If so, both get one velocity and the
+    rate is set to 0.
 
     Where a spring's place of rest is the very edge of a contact, each touch leaves a part of the
     speed of the one before, for ever: no overlap at rest says what is small beside it. What presses
