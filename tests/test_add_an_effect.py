@@ -76,11 +76,11 @@ def test_what_accuracy_costs_is_told(project: Path) -> None:
     cheap as it is listed there, and the finest of one."""
     program = """
 from sim.dynamics.cost.exact import exact
-from sim.dynamics.cost.measure import exact_rows, row, ways
+from sim.dynamics.cost.measure import exact_rows, row, choices
 from sim.pages.text.yaml.source import load
 from sim.scene import read_scene
 scene = read_scene(load(open("sim/effects/wind/scenes/wind-steady.yml").read()).plain)
-truth, listed = exact(scene), ways(scene)
+truth, listed = exact(scene), choices(scene)
 assert exact_rows(scene, truth)
 cheapest = {way.method: way for way in reversed(listed)}
 assert {"euler", "rk4", "rk4-events"} < cheapest.keys()
@@ -150,7 +150,7 @@ def test_a_folder_that_does_not_describe_itself_fails_loudly(project: Path) -> N
 LAW = """
 from sim.bridge.model_text import model_text
 from sim.dynamics.loop.run import run
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.recorded import stepped
 from sim.scene import read_scene
 carts = {"A": {"mass": 1, "position": 0, "velocity": 1}, "B": {"mass": 1, "position": 0.5}}
@@ -159,7 +159,7 @@ scene = read_scene({"carts": carts, "contact": contact, "until": 2})
 done = run(scene)
 assert abs(done.v[1] - done.v[0] - 0.4) < 1e-14, done.v
 assert done.ledger.imbalance() < 1e-12
-near = stepped(scene, Way("rk4-events", step=1e-3)).run.v
+near = stepped(scene, MethodChoice("rk4-events", step=1e-3)).run.v
 assert abs(near[0] - done.v[0]) < 1e-7, near
 names = {"print": lambda *_, **__: None}
 exec(model_text(scene), names)

@@ -19,17 +19,17 @@ from collections.abc import Mapping
 from typing import Any
 
 from sim.bridge.alive import alive
+from sim.bridge.method_choice import method_choice_of
 from sim.bridge.protocol import track_of
-from sim.bridge.way import way_of
 from sim.dynamics.cost.exact import exact
-from sim.dynamics.cost.measure import exact_rows, row, ways
+from sim.dynamics.cost.measure import choices, exact_rows, row
 from sim.dynamics.cost.report import digits_of, floor_of, row_object, speed_of
 from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import finite
 from sim.dynamics.result.ledger import kinetic
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.result.trajectory import sample
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.recorded import SteppedRun, stepped
 from sim.scene import Scene, read_scene
 from sim.scene.said import wire
@@ -52,23 +52,23 @@ def cost_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float
         return _digits(scene, measured), array("d")
     if isinstance(number, int):
         return _row(scene, number), array("d")
-    return _run(scene, way_of(scene, {"parts": 1_000, **request}, MOST_PARTS))
+    return _run(scene, method_choice_of(scene, {"parts": 1_000, **request}, MOST_PARTS))
 
 
 def _row(scene: Scene, number: int) -> dict[str, Any]:
-    listed = ways(scene, finest=FINEST)
+    listed = choices(scene, finest=FINEST)
     truth = exact(scene)
     alive()
     answer: dict[str, Any] = {"of": len(listed) + 1}
     if number <= 0 or number > len(listed):
         return answer | {"rows": [row_object(one) for one in exact_rows(scene, truth)]}
-    way = listed[number - 1]
+    choice = listed[number - 1]
     try:
-        return answer | {"rows": [row_object(row(scene, truth, way))]}
+        return answer | {"rows": [row_object(row(scene, truth, choice))]}
     except UnsolvedError as error:
         return answer | {
             "rows": [],
-            "not_run": {"method": way.method, "reason": wire(error.message)},
+            "not_run": {"method": choice.method, "reason": wire(error.message)},
         }
 
 
@@ -77,8 +77,8 @@ def _digits(scene: Scene, rows: list[dict[str, Any]]) -> dict[str, Any]:
     return {"digits": digits_of(rows, speed_of(truth)), "floor": floor_of(truth)}
 
 
-def _run(scene: Scene, way: Way) -> tuple[dict[str, Any], array[float]]:
-    solved, result = run(scene), stepped(scene, way)
+def _run(scene: Scene, choice: MethodChoice) -> tuple[dict[str, Any], array[float]]:
+    solved, result = run(scene), stepped(scene, choice)
     names = [cart.name for cart in scene.carts]
     header = {
         "until": scene.until,

@@ -29,7 +29,7 @@ from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import finite, report
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.outcome import UnsolvedError
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.recorded import SteppedRun, stepped
 from sim.dynamics.stepping.stepped_report import stepped_report
 from sim.scene import Scene, read_scene
@@ -74,7 +74,7 @@ def _stepped(scene: Scene, method: str, wanted: Wanted, solved: Run) -> dict[str
     tried: dict[str, Any] = {"method": method, "step": step_of(scene)}
     lost = {"got": [None for _ in wanted], "verdict": "blows-up", "made": None}
     try:
-        result = stepped(scene, Way(method, step=step_of(scene)), keep_events=True)
+        result = stepped(scene, MethodChoice(method, step=step_of(scene)), keep_events=True)
         told = stepped_report(result)
     except (OverflowError, ValueError, UnsolvedError):
         return tried | lost

@@ -17,8 +17,8 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from sim.bridge.alive import alive
+from sim.bridge.method_choice import method_choice_of
 from sim.bridge.protocol import MOST_EVENTS_DRAWN, MOST_STEPS_DRAWN, effects_of, plain_of, wire
-from sim.bridge.way import way_of
 from sim.dynamics.cost.distance import far
 from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import finite
@@ -26,7 +26,7 @@ from sim.dynamics.report.warnings import warnings
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.trajectory import trajectory
 from sim.dynamics.stepping.drawn import Drawn, drawn
-from sim.dynamics.stepping.methods import Way, outcome
+from sim.dynamics.stepping.methods import MethodChoice, outcome
 from sim.dynamics.stepping.recorded import SteppedRun, stepped
 from sim.dynamics.stepping.stepped_report import stepped_report
 from sim.scene import Scene, read_scene
@@ -47,8 +47,8 @@ def how_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]
     scene = read_scene(plain)
     if "method" not in request:
         return {"cost": _cost(scene)}, array("d")
-    way = way_of(scene, request, MOST_PARTS)
-    result = stepped(scene, way)
+    choice = method_choice_of(scene, request, MOST_PARTS)
+    result = stepped(scene, choice)
     solved = _exact(scene)
     shown = drawn(result, solved)
     header, numbers = wire(result.run, shown.samples, stepped_report(result))
@@ -56,7 +56,7 @@ def how_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]
     header["effects"] = effects_of(plain, scene)
     # A blown-up run would ask for stiffnesses that no bumper has.
     header["warnings"] = [{"code": w.code, "message": said_by(w.message)} for w in warnings(solved)]
-    header["how"] = finite(_compared(scene, way, result, solved, shown))
+    header["how"] = finite(_compared(scene, choice, result, solved, shown))
     return header, numbers
 
 
@@ -78,20 +78,20 @@ def _cost(scene: Scene) -> dict[str, float]:
 
 
 def _compared(
-    scene: Scene, way: Way, result: SteppedRun, solved: Run, shown: Drawn
+    scene: Scene, choice: MethodChoice, result: SteppedRun, solved: Run, shown: Drawn
 ) -> dict[str, Any]:
     """What it took, and how far it is from the truth at the end; SI."""
     whole = solved.t == scene.until
     books = result.run.ledger
     return {
-        "method": way.method,
-        "step": way.step,
-        "rtol": way.rtol,
+        "method": choice.method,
+        "step": choice.step,
+        "rtol": choice.rtol,
         "steps": result.steps,
         "evaluations": result.evaluations,
         "blown": shown.blown,
         "seconds": {
-            "stepped": seconds(lambda: outcome(scene, way)),
+            "stepped": seconds(lambda: outcome(scene, choice)),
             "exact": seconds(lambda: _exact(scene, kept=False)),
         },
         "whole": whole,  # did the exact run come to the end too?

@@ -16,11 +16,11 @@ from sim.cli.tables import table
 from sim.cli.write_out import write_out
 from sim.dynamics.cost.exact import Exact, exact
 from sim.dynamics.cost.many import event_cost
-from sim.dynamics.cost.measure import CostRow, NotRun, cost, ways
+from sim.dynamics.cost.measure import CostRow, NotRun, choices, cost
 from sim.dynamics.cost.report import cost_report
 from sim.dynamics.report.document import FORMAT
 from sim.dynamics.result.outcome import UnsolvedError
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.pages.drawing import DrawingError, draw
 from sim.scene import Scene
 
@@ -95,7 +95,7 @@ def command(scene: str | None, as_json: bool, picture: Path | None, carts: str |
 
 def _measured(scene: Scene) -> tuple[Exact, list[CostRow], list[NotRun]]:
     """The truth, all rows and what cannot be run, with a line that says how far it is."""
-    rows, not_run, total = list[CostRow](), list[NotRun](), len(ways(scene)) + 3
+    rows, not_run, total = list[CostRow](), list[NotRun](), len(choices(scene)) + 3
     with still_computing(), line() as write:
         truth = exact(scene)
         certified = proved(scene, truth)
@@ -107,7 +107,7 @@ def _measured(scene: Scene) -> tuple[Exact, list[CostRow], list[NotRun]]:
             else:
                 rows.append(row)
             if write:
-                method = row.way.method if isinstance(row, NotRun) else row.method
+                method = row.choice.method if isinstance(row, NotRun) else row.method
                 write(f"{len(rows) + len(not_run)} of about {total} rows: {method}")
     if certified:
         rows.insert(sum(row.method.startswith("exact") for row in rows), certified[1])
@@ -146,11 +146,11 @@ def _table(rows: Sequence[CostRow], not_run: Sequence[NotRun], until: float) -> 
     if not not_run:
         return table(HEADER, cells)
     nothing = ("–",) * (len(HEADER) - 2)
-    left = [(one.way.method, _size(one.way, until), *nothing, one.reason) for one in not_run]
+    left = [(one.choice.method, _size(one.choice, until), *nothing, one.reason) for one in not_run]
     return table((*HEADER, "cannot run it"), [*((*row, "") for row in cells), *left])
 
 
-def _size(of: CostRow | Way, until: float) -> str:
+def _size(of: CostRow | MethodChoice, until: float) -> str:
     if of.rtol is not None:
         return f"rtol {of.rtol:.0e}".replace("-", "−")
     return "–" if of.step is None else f"{until:g} s/{round(until / of.step)}"

@@ -113,17 +113,21 @@ def by_method(
     """The run by a stepping method; what it cannot do goes to standard error."""
     from sim.dynamics.result.outcome import UnsolvedError
     from sim.dynamics.stepping.adaptive_events import RTOL
-    from sim.dynamics.stepping.methods import MOST_STEPS, STEP, Way
+    from sim.dynamics.stepping.methods import MOST_STEPS, STEP, MethodChoice
     from sim.dynamics.stepping.recorded import stepped
 
-    way = Way(method, rtol=rtol or RTOL) if method in ADAPTIVE else Way(method, step or STEP)
-    if way.step and description.until / way.step > MOST_STEPS:
+    choice = (
+        MethodChoice(method, rtol=rtol or RTOL)
+        if method in ADAPTIVE
+        else MethodChoice(method, step or STEP)
+    )
+    if choice.step and description.until / choice.step > MOST_STEPS:
         raise click.UsageError(
-            f"{description.until:g} s in steps of {way.step:g} s are more than {MOST_STEPS} steps. "
-            "Choose a longer step, or an earlier end of the scene (until)."
+            f"{description.until:g} s in steps of {choice.step:g} s are more than {MOST_STEPS} "
+            "steps. Choose a longer step, or an earlier end of the scene (until)."
         )
     try:
         with still_computing():
-            return stepped(description, way, keep_events=keep_events)
+            return stepped(description, choice, keep_events=keep_events)
     except UnsolvedError as error:
         scene_file.unsolved(name, error)

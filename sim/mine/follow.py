@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.trajectory import Trajectory
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.pairs import Detail
 from sim.dynamics.stepping.sided import Side, SidedRecorder
 from sim.mine.embedded import RTOL, EmbeddedStepper
@@ -40,7 +40,7 @@ class WrittenRecorder(SidedRecorder):
     def __init__(self, scene: Scene, run: EmbeddedStepper) -> None:
         self.own = run.own
         gaps = (pair.gap for pair, _ in run.own.written)
-        super().__init__(scene, Way(METHOD, rtol=run.rtol), run, run.longest, OWN, gaps)
+        super().__init__(scene, MethodChoice(METHOD, rtol=run.rtol), run, run.longest, OWN, gaps)
 
     def pushes(self, detail: Detail) -> Mapping[Side, float]:
         """What the law answered to each side."""

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.result.trajectory import Trajectory
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.pairs import Detail, Row
 from sim.dynamics.stepping.sided import OwnSteps, Side, SidedRecorder
 from sim.laws.lookup import contact_law
@@ -156,8 +156,8 @@ class WorldRecorder(SidedRecorder):
     def __init__(self, scene: Scene, run: WorldStepper) -> None:
         self.own = run.own
         gaps = (pair.gap for pair in run.field.pairs)
-        way = Way("rk4-events")
-        super().__init__(scene, way, run, scene.until / PARTS, run.own.name, gaps)
+        choice = MethodChoice("rk4-events")
+        super().__init__(scene, choice, run, scene.until / PARTS, run.own.name, gaps)
 
     def pushes(self, detail: Detail) -> Mapping[Side, float]:
         """What the world gave to each side."""

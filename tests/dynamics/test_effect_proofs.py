@@ -11,7 +11,7 @@ from sim.bridge.model_text import model_text
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.energy_parts import energy_parts
 from sim.dynamics.result.trajectory import trajectory
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.recorded import stepped
 from sim.scene.effects import kinds
 from tests import registry
@@ -42,7 +42,7 @@ def test_an_exact_run_ends_as_the_proof_says(kind: str) -> None:
 @pytest.mark.parametrize("kind", list(kinds()))
 def test_a_stepping_method_comes_close_to_it(kind: str) -> None:
     scene = registry.scene(proof(kind).SCENE)
-    done = stepped(scene, Way("rk4", step=1e-3)).run
+    done = stepped(scene, MethodChoice("rk4", step=1e-3)).run
     for cart, x, v in zip(scene.carts, done.x, done.v, strict=True):
         assert (x, v) == pytest.approx(proof(kind).end(scene)[cart.name], rel=1e-3, abs=1e-3)
 

@@ -8,7 +8,7 @@ import pytest
 
 from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import report
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.recorded import stepped
 from sim.effects.forces import BodyForce
 from sim.effects.push.force import Push
@@ -24,7 +24,7 @@ def test_effects_are_checked_once_in_a_run_and_not_where_it_is_read(monkeypatch)
     report(run(scene))
     assert asked == listed_once
     asked.clear()
-    report(stepped(scene, Way("rk4", step=0.01)).run)
+    report(stepped(scene, MethodChoice("rk4", step=0.01)).run)
     assert asked == listed_once
 
 

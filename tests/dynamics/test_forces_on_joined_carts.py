@@ -9,7 +9,7 @@ import pytest
 
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.trajectory import trajectory
-from sim.dynamics.stepping.methods import NAMES, Way
+from sim.dynamics.stepping.methods import NAMES, MethodChoice
 from sim.dynamics.stepping.recorded import stepped
 from sim.scene import read_scene
 
@@ -83,7 +83,7 @@ def test_steppers_share_what_rests_as_the_exact_run_does(method: str) -> None:
     track = {"left": "open", "right": "open", "length": 3}
     scene = read_scene({"carts": carts, "track": track, "contact": {"law": "velcro"},
                         "until": 1.2, "effects": effects})  # fmt: skip
-    found = stepped(scene, Way(method, step=1e-3)).samples.columns
+    found = stepped(scene, MethodChoice(method, step=1e-3)).samples.columns
     friction_on = {name: found["E", "friction", name][-1] for name in "AB"}
     assert friction_on["A"] == pytest.approx(6 * friction_on["B"])
     assert found["F", "A-B"][-1] == pytest.approx(found["a", "B"][-1] - friction_on["B"])

@@ -8,15 +8,15 @@ from typing import Any
 import pytest
 
 from sim.dynamics.loop.run import run
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.recorded import stepped
 from sim.scene import Scene, read_scene
 
 WAYS = [
-    Way("rk4", step=1e-3),
-    Way("rk4-events", step=1e-2),
-    Way("rk45", rtol=1e-9),
-    Way("adaptive", rtol=1e-9),
+    MethodChoice("rk4", step=1e-3),
+    MethodChoice("rk4-events", step=1e-2),
+    MethodChoice("rk45", rtol=1e-9),
+    MethodChoice("adaptive", rtol=1e-9),
 ]
 G = 9.81
 
@@ -86,7 +86,9 @@ def test_the_exact_run_books_both_sides_of_what_holds_a_cart(case: str) -> None:
 
 @pytest.mark.parametrize("way", WAYS, ids=lambda way: way.method)
 @pytest.mark.parametrize("case", CASES)
-def test_no_stepper_reports_what_holds_a_cart_as_its_own_error(case: str, way: Way) -> None:
+def test_no_stepper_reports_what_holds_a_cart_as_its_own_error(
+    case: str, way: MethodChoice
+) -> None:
     scene, impulses = CASES[case]
     done = stepped(scene, way)
     near = 1e-2 if way.method == "rk4" else 1e-9
@@ -109,7 +111,7 @@ HIT = {
 
 @pytest.mark.parametrize("law", ["instant", "bumper"])
 @pytest.mark.parametrize("way", WAYS, ids=lambda way: way.method)
-def test_a_cart_that_sticks_to_a_wall_hands_on_what_hits_it(way: Way, law: str) -> None:
+def test_a_cart_that_sticks_to_a_wall_hands_on_what_hits_it(way: MethodChoice, law: str) -> None:
     """A comes back from B, which the wall holds: it gave −2 − 2 N s, and −F Δt for the push."""
     contact = {"law": law, "restitution": 1} | ({"stiffness": 500} if law == "bumper" else {})
     scene = read_scene(

@@ -14,7 +14,7 @@ import pytest
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.events import Event
 from sim.dynamics.result.trajectory import trajectory
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.recorded import stepped
 from sim.scene import read_scene
 
@@ -107,7 +107,11 @@ def test_a_cart_that_comes_to_rest_before_a_magnet_tells_no_endless_story() -> N
 def test_stepping_methods_tell_it_too(method: str) -> None:
     plain = scene()
     (exact,) = peaks(plain)
-    way = Way(method, rtol=1e-9) if method in ("adaptive", "rk45") else Way(method, step=1e-3)
+    way = (
+        MethodChoice(method, rtol=1e-9)
+        if method in ("adaptive", "rk45")
+        else MethodChoice(method, step=1e-3)
+    )
     done = stepped(read_scene(plain), way).run
     (told,) = [event for event in done.record.events if event.kind == "peak"]
     near = STEPPED.get(method, 2e-3)

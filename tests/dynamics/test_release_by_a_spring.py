@@ -12,7 +12,7 @@ import pytest
 
 from sim.dynamics.result.energy_parts import energy_parts
 from sim.dynamics.result.trajectory import trajectory
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.recorded import stepped
 from tests.dynamics.given.spring_release import done, pair
 from tests.fuzz.mirror import mirrored
@@ -204,10 +204,10 @@ def test_friction_that_it_overcomes_takes_its_part() -> None:
 
 
 METHODS = [
-    (Way("euler", step=1e-4), 1e-3), (Way("semi-implicit", step=1e-4), 1e-3),
-    (Way("verlet", step=1e-4), 1e-4), (Way("rk4", step=1e-4), 1e-4),
-    (Way("rk4-events", step=1e-3), 1e-9), (Way("adaptive", rtol=1e-11), 1e-9),
-    (Way("rk45", rtol=1e-11), 1e-9),
+    (MethodChoice("euler", step=1e-4), 1e-3), (MethodChoice("semi-implicit", step=1e-4), 1e-3),
+    (MethodChoice("verlet", step=1e-4), 1e-4), (MethodChoice("rk4", step=1e-4), 1e-4),
+    (MethodChoice("rk4-events", step=1e-3), 1e-9), (MethodChoice("adaptive", rtol=1e-11), 1e-9),
+    (MethodChoice("rk45", rtol=1e-11), 1e-9),
 ]  # fmt: skip
 
 
@@ -215,7 +215,9 @@ METHODS = [
 @pytest.mark.parametrize(
     "name", ["moving", "a third one touches", "two springs", "the wall is reached"]
 )
-def test_every_stepping_method_comes_to_the_same_end(way: Way, near: float, name: str) -> None:
+def test_every_stepping_method_comes_to_the_same_end(
+    way: MethodChoice, near: float, name: str
+) -> None:
     plain = plain_of(ROWS[name], 0.6)
     plain["effects"] = [
         {"release": entry["release"] | {"at": 0.1}} if "release" in entry else entry

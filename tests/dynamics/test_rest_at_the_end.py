@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from sim.dynamics.loop.run import run
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.recorded import stepped
 from sim.scene import read_scene
 
@@ -87,10 +87,10 @@ def test_the_acceleration_at_the_end_is_that_of_newtons_second_law(keep: bool) -
 
 
 def test_a_stepped_run_tells_a_turn_from_rest_too() -> None:
-    turning = stepped(read_scene(alone(PUSH)), Way("verlet", step=1 / 64)).run
+    turning = stepped(read_scene(alone(PUSH)), MethodChoice("verlet", step=1 / 64)).run
     assert turning.v[0] == pytest.approx(0.0, abs=1e-12)
     assert turning.outcome.kind == "reached-end"
-    resting = stepped(read_scene(alone(v=0)), Way("verlet", step=1 / 64)).run
+    resting = stepped(read_scene(alone(v=0)), MethodChoice("verlet", step=1 / 64)).run
     assert resting.outcome.kind == "came-to-rest"
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from sim.dynamics.loop.run import run
-from sim.dynamics.stepping.methods import ADAPTIVE, Way, outcome
+from sim.dynamics.stepping.methods import ADAPTIVE, MethodChoice, outcome
 from sim.scene import read_scene
 
 TURNING = {
@@ -61,5 +61,5 @@ def test_a_run_by_a_tolerance_comes_to_its_end(
     plain: dict[str, Any], method: str, rtol: float
 ) -> None:
     scene = read_scene(plain)
-    done = outcome(scene, Way(method, rtol=rtol))
+    done = outcome(scene, MethodChoice(method, rtol=rtol))
     assert done.v == pytest.approx(run(scene).v, abs=2e3 * rtol)

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from sim.dynamics.loop.run import run
-from sim.dynamics.stepping.methods import ADAPTIVE, FIXED, Way
+from sim.dynamics.stepping.methods import ADAPTIVE, FIXED, MethodChoice
 from sim.dynamics.stepping.recorded import SteppedRun, stepped
 from sim.scene import Scene, read_scene
 from tests import registry
@@ -23,9 +23,13 @@ DIVERGES = {"euler"}
 """It makes energy in every stiff contact: see `test_stepping`."""
 
 
-def way(method: str, scene: Scene) -> Way:
+def way(method: str, scene: Scene) -> MethodChoice:
     """3001 steps, or a tolerance."""
-    return Way(method, rtol=1e-9) if method in ADAPTIVE else Way(method, step=scene.until / 3001)
+    return (
+        MethodChoice(method, rtol=1e-9)
+        if method in ADAPTIVE
+        else MethodChoice(method, step=scene.until / 3001)
+    )
 
 
 def exploded(**more: Any) -> Scene:
@@ -47,8 +51,8 @@ def times(done: SteppedRun) -> list[float]:
 @pytest.mark.parametrize("method", LOCATED)
 def test_a_release_at_the_start_happens_at_the_start(method: str) -> None:
     """From rest m v = sqrt(2 E mu) = 0.2 N s on each: −0.4 m/s and 0.2 m/s, for one second."""
-    for asked in (Way(method, step=0.1), Way(method, step=0.3)):
-        done = stepped(exploded(), Way(method, rtol=1e-9) if method in ADAPTIVE else asked)
+    for asked in (MethodChoice(method, step=0.1), MethodChoice(method, step=0.3)):
+        done = stepped(exploded(), MethodChoice(method, rtol=1e-9) if method in ADAPTIVE else asked)
         assert done.run.x == pytest.approx((0.6, 1.4), abs=1e-12)
         assert times(done) == [0.0]
         assert abs(done.lost_energy) < 1e-12
@@ -68,7 +72,7 @@ def test_carts_that_part_in_the_first_step_are_released_before_it(method: str) -
             "until": 1,
         }
     )
-    done = stepped(scene, Way(method, step=0.1))
+    done = stepped(scene, MethodChoice(method, step=0.1))
     assert done.run.v == pytest.approx(run(scene).v, abs=1e-12)
     assert times(done) == [0.0]
     assert abs(done.lost_energy) < 1e-12
@@ -79,7 +83,10 @@ def test_carts_that_part_in_the_first_step_are_released_before_it(method: str) -
 def test_a_release_is_told_at_its_own_time_and_never_left_out(method: str, at: float) -> None:
     """Also where it comes in the middle of a step, and at the end of the run."""
     scene = exploded(at=at)
-    done = stepped(scene, Way(method, rtol=1e-9) if method in ADAPTIVE else Way(method, step=0.17))
+    done = stepped(
+        scene,
+        MethodChoice(method, rtol=1e-9) if method in ADAPTIVE else MethodChoice(method, step=0.17),
+    )
     assert times(done) == [pytest.approx(at, abs=1e-15)]
     assert done.run.x == pytest.approx((1 - 0.4 * (1 - at), 1.2 + 0.2 * (1 - at)), abs=1e-12)
     assert done.run.ledger.works["release"] == pytest.approx(0.06, abs=1e-15)

@@ -6,7 +6,7 @@ import pytest
 
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.events import Event
-from sim.dynamics.stepping.methods import ADAPTIVE, FIXED, Way
+from sim.dynamics.stepping.methods import ADAPTIVE, FIXED, MethodChoice
 from sim.dynamics.stepping.recorded import stepped
 from sim.scene import Scene, read_scene
 from tests import registry
@@ -21,9 +21,13 @@ TOUCHED = [
 ]  # fmt: skip
 
 
-def way(method: str, scene: Scene, parts: int = 997) -> Way:
+def way(method: str, scene: Scene, parts: int = 997) -> MethodChoice:
     """So many steps, or a tolerance."""
-    return Way(method, rtol=1e-9) if method in ADAPTIVE else Way(method, step=scene.until / parts)
+    return (
+        MethodChoice(method, rtol=1e-9)
+        if method in ADAPTIVE
+        else MethodChoice(method, step=scene.until / parts)
+    )
 
 
 def touches(events: list[Event]) -> list[Event]:

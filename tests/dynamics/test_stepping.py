@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from sim.dynamics.loop.run import run
-from sim.dynamics.stepping.methods import ADAPTIVE, FIXED, Way, batch, outcome
+from sim.dynamics.stepping.methods import ADAPTIVE, FIXED, MethodChoice, batch, outcome
 from sim.dynamics.stepping.recorded import stepped
 from sim.dynamics.stepping.stepped_report import stepped_report
 from sim.laws.lookup import contact_law
@@ -19,8 +19,8 @@ from tests import registry
 
 PHASES = (np.arange(64) + 0.5) / 64
 ALL = [
-    *(Way(name, step=1 / 997) for name in (*FIXED, "rk4-events")),
-    *(Way(name, rtol=1e-9) for name in ADAPTIVE),
+    *(MethodChoice(name, step=1 / 997) for name in (*FIXED, "rk4-events")),
+    *(MethodChoice(name, rtol=1e-9) for name in ADAPTIVE),
 ]
 
 
@@ -33,13 +33,13 @@ def two(law: str = "paper", e: str = "0.8", **more: object) -> Scene:
     return read_scene(registry.two_carts(law=law, restitution=e, **more))
 
 
-def error(scene: Scene, way: Way) -> float:
+def error(scene: Scene, way: MethodChoice) -> float:
     done = outcome(scene, way)
     return max(abs(a - b) for a, b in zip(done.v, run(scene).v, strict=True))
 
 
 def worst(scene: Scene, method: str, parts: int) -> float:
-    _, v, _ = batch(scene, Way(method, step=scene.until / parts), PHASES)
+    _, v, _ = batch(scene, MethodChoice(method, step=scene.until / parts), PHASES)
     true = run(scene).v
     return max(float(abs(lane - u).max()) for lane, u in zip(v, true, strict=True))
 
@@ -52,7 +52,7 @@ def slope(parts: list[int], errors: list[float]) -> float:
 @pytest.mark.parametrize(("name", "order"), [(name, m.order) for name, m in FIXED.items()])
 def test_a_method_has_its_order_where_the_force_is_smooth(name: str, order: int) -> None:
     scene, parts = scene_of_springs(), [211, 431, 863, 1723] if order < 4 else [61, 127, 251, 499]
-    errors = [error(scene, Way(name, step=1 / n)) for n in parts]
+    errors = [error(scene, MethodChoice(name, step=1 / n)) for n in parts]
     assert abs(slope(parts, errors) - order) < 0.2
 
 
@@ -63,7 +63,7 @@ def test_located_touches_give_rk4_its_order_back() -> None:
             max(abs(a - b) for a, b in zip(outcome(scene, way, phase).v, (-0.8, 0.4), strict=True))
             for phase in (0.2, 1.0)
         )
-        for way in (Way("rk4-events", step=1 / n) for n in parts)
+        for way in (MethodChoice("rk4-events", step=1 / n) for n in parts)
     ]
     assert abs(slope(parts, errors) - 4) < 0.2
 
@@ -77,28 +77,28 @@ def test_without_located_touches_every_method_is_of_first_order(name: str) -> No
 
 @pytest.mark.parametrize("name", ADAPTIVE)
 def test_a_smaller_tolerance_is_a_smaller_error(name: str) -> None:
-    errors = [error(two(), Way(name, rtol=rtol)) for rtol in (1e-6, 1e-9, 1e-12)]
+    errors = [error(two(), MethodChoice(name, rtol=rtol)) for rtol in (1e-6, 1e-9, 1e-12)]
     assert errors[0] > errors[1] > errors[2]
     assert errors[2] < 1e-11
 
 
 def test_the_method_of_order_8_pays_where_much_is_asked_for() -> None:
     asked = 1e-12
-    eight, five = (outcome(two(), Way(n, rtol=asked)) for n in ("adaptive", "rk45"))
+    eight, five = (outcome(two(), MethodChoice(n, rtol=asked)) for n in ("adaptive", "rk45"))
     assert eight.field.evaluations < 0.5 * five.field.evaluations
 
 
 def test_explicit_euler_makes_energy_and_semi_implicit_does_not() -> None:
     hard = two("bumper", "1")
     for name, least, most in (("euler", 1.02, 1.2), ("semi-implicit", 0.99, 1.01)):
-        _, v, _ = batch(hard, Way(name, step=1 / 997), PHASES)
+        _, v, _ = batch(hard, MethodChoice(name, step=1 / 997), PHASES)
         delivered = (v[1] - v[0]) / 1.5
         assert least < delivered.min() <= delivered.max() < most
 
 
 def test_a_contact_shorter_than_a_step_blows_up() -> None:
     # w h = 8: far beyond the limit of stability of every fixed step.
-    done = outcome(two("bumper", "1", stiffness=200_000_000), Way("rk4", step=1 / 1009))
+    done = outcome(two("bumper", "1", stiffness=200_000_000), MethodChoice("rk4", step=1 / 1009))
     assert max(map(abs, done.v)) > 10
 
 
@@ -114,7 +114,11 @@ SOLVED = [
 def test_located_steps_come_to_what_the_exact_solver_says(name: str) -> None:
     scene = registry.scene(name)
     true = run(scene)
-    located = Way("rk4-events", step=scene.until / 997), Way("rk45", rtol=1e-9), ALL[-1]
+    located = (
+        MethodChoice("rk4-events", step=scene.until / 997),
+        MethodChoice("rk45", rtol=1e-9),
+        ALL[-1],
+    )
     for way, near in zip(located, (2e-4, 2e-6, 5e-7), strict=True):
         done = outcome(scene, way)
         x = [cart.position + s for cart, s in zip(scene.carts, done.s, strict=True)]
@@ -136,7 +140,7 @@ PUSHED_TOGETHER = {
 
 
 @pytest.mark.parametrize("way", ALL[-3:], ids=lambda way: way.method)
-def test_a_bumper_that_is_held_pressed_in_takes_few_events(way: Way) -> None:
+def test_a_bumper_that_is_held_pressed_in_takes_few_events(way: MethodChoice) -> None:
     scene = read_scene(PUSHED_TOGETHER)
     done = stepped(scene, way)
     assert done.evaluations < 13_000  # 4 per step and some more; it was half a million
@@ -153,7 +157,7 @@ def test_a_bumper_that_is_held_lets_go_when_the_push_ends_or_turns() -> None:
     back = {"push": {"cart": "A", "force": -1, "from": 2}}
     push = {"push": {"cart": "A", "force": 2, "until": 2}}
     scene = read_scene(PUSHED_TOGETHER | {"effects": [push, back]})
-    done = outcome(scene, Way("rk4-events", step=3 / 997))
+    done = outcome(scene, MethodChoice("rk4-events", step=3 / 997))
     assert done.v == pytest.approx(run(scene).v, abs=1e-6)
     assert done.v[0] == pytest.approx(-1, abs=1e-6)  # 1 N on 1 kg for 1 s
     assert not done.field.held
@@ -161,14 +165,14 @@ def test_a_bumper_that_is_held_lets_go_when_the_push_ends_or_turns() -> None:
 
 @pytest.mark.parametrize("way", ALL, ids=lambda way: way.method)
 @pytest.mark.parametrize("name", ["paper-two-carts", "incline-bounce", "spring-damped"])
-def test_momentum_is_accounted_for_whatever_the_method(name: str, way: Way) -> None:
+def test_momentum_is_accounted_for_whatever_the_method(name: str, way: MethodChoice) -> None:
     done = stepped(registry.scene(name), way)
     assert abs(done.lost_momentum) < 1e-12
 
 
 def test_energy_out_of_nothing_is_said_and_grows_with_the_step() -> None:
     lost = {
-        (name, n): stepped(two(), Way(name, step=1 / n)).lost_energy
+        (name, n): stepped(two(), MethodChoice(name, step=1 / n)).lost_energy
         for name, n in itertools.product(("euler", "rk4", "rk4-events"), (199, 997))
     }
     assert lost["euler", 199] > 4 * lost["euler", 997] > 0.1
@@ -179,7 +183,7 @@ def test_energy_out_of_nothing_is_said_and_grows_with_the_step() -> None:
 @pytest.mark.parametrize("law", ["bumper", "paper", "push-only", "push-only-uncorrected", "hertz"])
 @pytest.mark.parametrize("method", list(FIXED))
 def test_a_batch_is_its_runs(law: str, method: str) -> None:
-    scene, way = two(law, stiffness=5000), Way(method, step=1 / 211)
+    scene, way = two(law, stiffness=5000), MethodChoice(method, step=1 / 211)
     s, v, _ = batch(scene, way, PHASES)
     for k in (0, 40):
         one = outcome(scene, way, float(PHASES[k]))
@@ -206,7 +210,7 @@ def test_a_force_is_one_number_for_one_run_and_for_many(law: str, e: float) -> N
 
 def test_a_stepped_report_has_the_form_of_any_run() -> None:
     scene = registry.scene("paper-two-carts")
-    document = stepped_report(stepped(scene, Way("rk4", step=0.001)))
+    document = stepped_report(stepped(scene, MethodChoice("rk4", step=0.001)))
     kinds = [event["kind"] for event in document["events"]]
     assert kinds == ["contact", "peak", "separate", "end"]
     (phase,) = document["plan"]

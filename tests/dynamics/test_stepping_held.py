@@ -9,7 +9,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from sim.dynamics.loop.run import run
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.recorded import stepped
 from sim.scene import read_scene
 
@@ -42,7 +42,7 @@ def test_located_steps_hold_what_the_exact_solver_holds(plain: dict[str, Any]) -
     scene = read_scene(plain)
     true = run(scene, max_steps=1_000)
     assume(true.t == UNTIL)  # two such contacts in a row make the exact solver give up
-    done = stepped(scene, Way("rk4-events", step=UNTIL / PARTS))
+    done = stepped(scene, MethodChoice("rk4-events", step=UNTIL / PARTS))
     assert done.run.v == pytest.approx(true.v, abs=2e-3)
     assert done.run.x == pytest.approx(true.x, abs=2e-3)
     assert abs(done.lost_momentum) < 1e-9

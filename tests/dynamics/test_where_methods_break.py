@@ -9,7 +9,7 @@ import pytest
 
 from sim.dynamics.cost.breaks import MAPS, SIDE, letter, lines, parts, scene_at
 from sim.dynamics.cost.exact import exact
-from sim.dynamics.stepping.methods import FIXED, Way
+from sim.dynamics.stepping.methods import FIXED, MethodChoice
 from sim.pages.cost.render import BREAKS
 from sim.scene import read_scene
 
@@ -37,7 +37,7 @@ def test_the_file_is_that_of_these_maps() -> None:
 def test_a_point_comes_out_as_the_file_says(one: Any, method: str) -> None:
     for column, row in FEW:
         scene = read_scene(scene_at(one, one.values()[column]))
-        way = Way(method, step=scene.until / parts()[row])
+        way = MethodChoice(method, step=scene.until / parts()[row])
         assert letter(scene, exact(scene), way) == kept(one.name, method, column, row)
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.outcome import UnsolvedError
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.recorded import stepped
 from sim.mine.arguments import ARGUMENTS
 from sim.mine.field import OWN
@@ -176,7 +176,7 @@ def test_no_other_solver_takes_such_a_scene(method: str) -> None:
     with pytest.raises(UnsolvedError):
         run(scene)
     with pytest.raises(UnsolvedError):
-        stepped(scene, Way(method, 1e-3))
+        stepped(scene, MethodChoice(method, 1e-3))
 
 
 @pytest.mark.parametrize("text", ["", " \n\t"])

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from sim.dynamics.loop.run import run
-from sim.dynamics.stepping.methods import Way, outcome
+from sim.dynamics.stepping.methods import MethodChoice, outcome
 from sim.scene import read_scene
 
 
@@ -116,7 +116,7 @@ def test_a_cart_that_begins_to_slide_goes_on_sliding_whatever_else_begins_with_i
     assert done.ledger.imbalance() < 1e-14
     off = []
     for h in (1e-3, 2e-4):
-        ways = outcome(scene, Way("rk4-events", h)).s
+        ways = outcome(scene, MethodChoice("rk4-events", h)).s
         ends = [cart.position + way for cart, way in zip(scene.carts, ways, strict=True)]
         off.append(max(abs(a - b) for a, b in zip(done.x, ends, strict=True)))
     assert off[1] < 5e-6

@@ -10,7 +10,7 @@ import pytest
 from sim.certify.certificate import certify, document
 from sim.dynamics.batch.grid import run_points, solve
 from sim.dynamics.loop.run import run
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.recorded import stepped
 from sim.scene import read_scene
 
@@ -75,7 +75,7 @@ def test_a_certificate_tells_the_peaks_of_a_run(
 @pytest.mark.parametrize("method", ["euler", "verlet", "rk4", "rk4-events"])
 def test_a_stepped_run_tells_no_peak_of_a_force_that_grows_at_its_end(method: str) -> None:
     for until, told in ((0.45, 0), (0.55, 1)):
-        done = stepped(read_scene(cut_off("bumper", until)), Way(method, step=0.001))
+        done = stepped(read_scene(cut_off("bumper", until)), MethodChoice(method, step=0.001))
         assert len(peaks(done.run)) == told
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from sim.bridge.protocol import answer
 from sim.dynamics.loop.run import run
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.recorded import stepped
 from sim.scene import read_scene
 
@@ -79,7 +79,7 @@ def test_a_run_ends_as_the_oracle_says(what: str) -> None:
     done = run(scene)
     assert done.v == pytest.approx(speeds, abs=1e-5)
     assert done.ledger.imbalance() < 1e-12
-    near = stepped(scene, Way("rk4-events", step=1e-3)).run
+    near = stepped(scene, MethodChoice("rk4-events", step=1e-3)).run
     assert done.v == pytest.approx(near.v, abs=1e-6)
 
 

@@ -12,7 +12,7 @@ from sim.bridge.model_text import model_text
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.energy_parts import energy_parts
 from sim.dynamics.result.trajectory import trajectory
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.recorded import stepped
 from sim.scene import Scene, read_scene
 from tests.reference.effects import integrate
@@ -78,10 +78,10 @@ def test_bumpers_that_a_release_parts_push_when_they_are_pressed_again(
 K, OVERLAP, E = 500, 0.02, 0.1
 LAWS = [("bumper", 1), ("bumper", 0.5), ("bumper", 0), ("paper", 0.5), ("push-only", 0.5)]
 STEPPED = [
-    Way("rk4", step=1e-4),
-    Way("rk4-events", step=1e-3),
-    Way("rk45", rtol=1e-9),
-    Way("adaptive", rtol=1e-9),
+    MethodChoice("rk4", step=1e-4),
+    MethodChoice("rk4-events", step=1e-3),
+    MethodChoice("rk45", rtol=1e-9),
+    MethodChoice("adaptive", rtol=1e-9),
 ]
 
 
@@ -142,7 +142,7 @@ def test_a_latch_that_never_opens_keeps_what_it_holds(law: str, e: float) -> Non
 @pytest.mark.parametrize("way", STEPPED, ids=lambda way: way.method)
 @pytest.mark.parametrize(("law", "e"), LAWS)
 def test_no_stepper_gets_energy_out_of_bumpers_that_a_release_has_parted(
-    law: str, e: float, way: Way
+    law: str, e: float, way: MethodChoice
 ) -> None:
     """They gave ±0.447 m/s, with 0.1 J from nowhere, and no shorter step could cure it."""
     done = stepped(squeezed(law, e), way)
@@ -172,7 +172,7 @@ def pressed_again(law: str, e: float) -> Scene:
 @pytest.mark.parametrize("way", STEPPED[:3], ids=lambda way: way.method)
 @pytest.mark.parametrize(("law", "e"), [one for one in LAWS if one[1]])
 def test_bumpers_pressed_again_get_back_what_they_hold_in_every_account(
-    law: str, e: float, way: Way
+    law: str, e: float, way: MethodChoice
 ) -> None:
     """The exact run, a stepper and the program agree, and both accounts close."""
     scene = pressed_again(law, e)

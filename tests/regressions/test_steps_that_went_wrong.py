@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from sim.dynamics.loop.run import run
-from sim.dynamics.stepping.methods import ADAPTIVE, Way, outcome
+from sim.dynamics.stepping.methods import ADAPTIVE, MethodChoice, outcome
 from sim.scene import read_scene
 
 FOUND: dict[str, dict[str, Any]] = {
@@ -87,7 +87,7 @@ FOUND: dict[str, dict[str, Any]] = {
 @pytest.mark.parametrize("name", FOUND)
 def test_steps_of_a_tolerance_come_to_the_exact_end(name: str, method: str) -> None:
     scene = read_scene(FOUND[name])
-    true, done = run(scene), outcome(scene, Way(method, rtol=1e-10))
+    true, done = run(scene), outcome(scene, MethodChoice(method, rtol=1e-10))
     x = [cart.position + s for cart, s in zip(scene.carts, done.s, strict=True)]
     assert x == pytest.approx(true.x, abs=1e-6)
     assert done.v == pytest.approx(true.v, abs=1e-6)

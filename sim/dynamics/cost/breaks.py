@@ -22,7 +22,7 @@ from typing import Any
 
 from sim.dynamics.cost.exact import Exact, exact
 from sim.dynamics.result.ledger import kinetic
-from sim.dynamics.stepping.methods import FIXED, Way, batch
+from sim.dynamics.stepping.methods import FIXED, MethodChoice, batch
 from sim.laws.lookup import contact_law
 from sim.scene import Scene, read_scene
 
@@ -91,12 +91,12 @@ def scene_at(one: Map, value: float) -> dict[str, Any]:
     return plain
 
 
-def letter(scene: Scene, truth: Exact, way: Way) -> str:
+def letter(scene: Scene, truth: Exact, choice: MethodChoice) -> str:
     """Right digits of the velocities, 0 to 8; x: energy was made."""
     import numpy as np
 
     with np.errstate(all="ignore"):
-        _, v, _ = batch(scene, way, (np.arange(PHASES) + 0.5) / PHASES)
+        _, v, _ = batch(scene, choice, (np.arange(PHASES) + 0.5) / PHASES)
         speeds = [np.broadcast_to(np.asarray(lane, dtype=float), (PHASES,)) for lane in v]
         energy = sum(0.5 * c.mass * u * u for c, u in zip(scene.carts, speeds, strict=True))
         far = [abs(u - true) for u, true in zip(speeds, truth.v, strict=True)]
@@ -116,8 +116,8 @@ def tables() -> Iterator[tuple[str, dict[str, str]]]:
             scene = read_scene(scene_at(one, value))
             truth = exact(scene)
             for method in found:
-                ways = (Way(method, step=scene.until / n) for n in parts())
-                found[method] += "".join(letter(scene, truth, way) for way in ways)
+                choices = (MethodChoice(method, step=scene.until / n) for n in parts())
+                found[method] += "".join(letter(scene, truth, choice) for choice in choices)
         yield one.name, found
 
 

@@ -21,7 +21,7 @@ from sim.dynamics.loop.run import run
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.ledger import kinetic
 from sim.dynamics.result.outcome import UnsolvedError
-from sim.dynamics.stepping.methods import ADAPTIVE, FIXED, Way, batch, batchable, outcome
+from sim.dynamics.stepping.methods import ADAPTIVE, FIXED, MethodChoice, batch, batchable, outcome
 from sim.dynamics.stepping.stepper import Stepper
 from sim.laws.lookup import contact_law
 from sim.scene.effects import kinds
@@ -83,19 +83,19 @@ class CostRow:
 class NotRun:
     """A method that cannot follow this scene, and why."""
 
-    way: Way
+    choice: MethodChoice
     reason: str
 
 
-def ways(scene: Scene, *, finest: int = 10_000) -> list[Way]:
+def choices(scene: Scene, *, finest: int = 10_000) -> list[MethodChoice]:
     """The rows to measure, from the cheapest of each method on, up to so many steps."""
     listed = [
-        Way(name, step=scene.until / prime)
+        MethodChoice(name, step=scene.until / prime)
         for name, primes in LADDER
         for prime in primes
         if prime <= finest
     ]
-    return listed + [Way(name, rtol=rtol) for name in ADAPTIVE for rtol in TOLERANCES]
+    return listed + [MethodChoice(name, rtol=rtol) for name in ADAPTIVE for rtol in TOLERANCES]
 
 
 def cost(scene: Scene, truth: Exact | None = None) -> Iterator[CostRow | NotRun]:
@@ -103,11 +103,11 @@ def cost(scene: Scene, truth: Exact | None = None) -> Iterator[CostRow | NotRun]
     where the exact solver itself cannot run the scene."""
     truth = truth or exact(scene)
     yield from exact_rows(scene, truth)
-    for way in ways(scene):
+    for choice in choices(scene):
         try:
-            yield row(scene, truth, way)
+            yield row(scene, truth, choice)
         except UnsolvedError as error:
-            yield NotRun(way, error.message)
+            yield NotRun(choice, error.message)
 
 
 def exact_rows(scene: Scene, truth: Exact) -> list[CostRow]:
@@ -138,16 +138,16 @@ def exact_rows(scene: Scene, truth: Exact) -> list[CostRow]:
     return [first, second]
 
 
-def row(scene: Scene, truth: Exact, way: Way) -> CostRow:
+def row(scene: Scene, truth: Exact, choice: MethodChoice) -> CostRow:
     """Measure one method at one step or tolerance."""
-    single = outcome(scene, way)
+    single = outcome(scene, choice)
     found = _Worst(scene, truth)
-    if way.method in FIXED and batchable(scene):
+    if choice.method in FIXED and batchable(scene):
         import numpy as np
 
         phases = (np.arange(PHASES) + 0.5) / PHASES
         with np.errstate(all="ignore"):  # a run that blows up: its error says so
-            s, v, lanes = batch(scene, way, phases)
+            s, v, lanes = batch(scene, choice, phases)
         last = [
             (float(a[k]), float(b[k])) for a, b in zip(s, v, strict=True) for k in range(PHASES)
         ]
@@ -156,12 +156,12 @@ def row(scene: Scene, truth: Exact, way: Way) -> CostRow:
             memory = [float(m[k]) for m in lanes.field.memory]
             found.see(lanes, [s for s, _ in ends], [v for _, v in ends], memory)
     else:
-        count = 1 if way.rtol else FEW_PHASES
+        count = 1 if choice.rtol else FEW_PHASES
         for k in range(count):
-            done = outcome(scene, way, (k + 0.5) / FEW_PHASES) if way.step else single
+            done = outcome(scene, choice, (k + 0.5) / FEW_PHASES) if choice.step else single
             found.see(done, done.s, done.v, done.field.memory)
     return found.row(
-        way, single.field.evaluations, ratio(lambda: outcome(scene, way), truth.outcome)
+        choice, single.field.evaluations, ratio(lambda: outcome(scene, choice), truth.outcome)
     )
 
 
@@ -175,7 +175,9 @@ class _Worst:
 
     def see(self, run: Stepper, s: list[float], v: list[float], memory: list[float]) -> None:
         scene, truth = self.scene, self.truth
-        x = [cart.position + way for cart, way in zip(scene.carts, s, strict=True)]
+        x = [
+            cart.position + displacement for cart, displacement in zip(scene.carts, s, strict=True)
+        ]
         self.v, self.x = max(self.v, far(v, truth.v)), max(self.x, far(x, truth.x))
         energy = kinetic(scene, v) + _stored(run, s, v, memory) - truth.energy
         error = endless(energy / (truth.initial or 1.0))
@@ -183,15 +185,15 @@ class _Worst:
         if truth.formula:
             self.e.append(_delivered(scene, v))
 
-    def row(self, way: Way, evaluations: int, dearer: float) -> CostRow:
+    def row(self, choice: MethodChoice, evaluations: int, dearer: float) -> CostRow:
         delivered = self.e if all(map(math.isfinite, self.e)) else []
         contact = self.scene.contacts[1] if self.truth.formula else None
         wanted = (contact.restitution or 0.0) if contact is not None else 0.0
         return CostRow(
-            way.method,
-            way.step,
-            way.rtol,
-            way.order,
+            choice.method,
+            choice.step,
+            choice.rtol,
+            choice.order,
             evaluations,
             dearer,
             self.v,
@@ -234,8 +236,10 @@ def _stored(run: Stepper, s: list[float], v: list[float], memory: list[float]) -
             pushes = pair.force.push(d, rate, memory[pair.gap])
             total += law.stored(d, rate, memory[pair.gap]) if pushes else 0.0
         total += math.fsum(link.energy(-d) for link in pair.links)
-    for forces, way in zip(field.body_forces(0.0), s, strict=True):
-        total -= math.fsum(f.steady * way for f in forces if kinds()[f.kind].stores == "place")
+    for forces, displacement in zip(field.body_forces(0.0), s, strict=True):
+        total -= math.fsum(
+            f.steady * displacement for f in forces if kinds()[f.kind].stores == "place"
+        )
     return total
 
 

@@ -10,7 +10,7 @@ from sim.dynamics.cost.digits import one_more_digit
 from sim.dynamics.cost.exact import Exact
 from sim.dynamics.cost.measure import CostRow, NotRun
 from sim.dynamics.report.document import FORMAT, finite
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 
 
 def row_object(row: CostRow) -> dict[str, Any]:
@@ -30,7 +30,7 @@ def row_object(row: CostRow) -> dict[str, Any]:
     return {key: finite(value) for key, value in found.items()}
 
 
-def _size(of: CostRow | Way) -> dict[str, float | None]:
+def _size(of: CostRow | MethodChoice) -> dict[str, float | None]:
     return {"rtol": of.rtol} if of.rtol is not None else {"step": of.step}
 
 
@@ -64,6 +64,7 @@ def cost_report(
         "digits": digits_of(objects, speed_of(truth)),
         "rows": objects,
         "not_run": [
-            {"method": one.way.method, **_size(one.way), "reason": one.reason} for one in not_run
+            {"method": one.choice.method, **_size(one.choice), "reason": one.reason}
+            for one in not_run
         ],
     }

@@ -41,8 +41,8 @@ ROUND = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
-class Way:
-    """A method with its step [s], or its relative tolerance."""
+class MethodChoice:
+    """A stepping method with its fixed step [s] or its relative tolerance."""
 
     method: str
     step: float | None = None
@@ -56,16 +56,16 @@ class Way:
         return {"rk45": 5, "adaptive": 8}.get(self.method, 4)
 
 
-def stepper(scene: Scene, way: Way) -> Stepper:
+def stepper(scene: Scene, choice: MethodChoice) -> Stepper:
     """A run at its start."""
     refuse_written(scene)
-    if way.method in FIXED:
-        return Stepper(scene, FIXED[way.method])
-    if way.method == "rk4-events":
+    if choice.method in FIXED:
+        return Stepper(scene, FIXED[choice.method])
+    if choice.method == "rk4-events":
         return LocatedStepper(scene)
     from sim.dynamics.stepping.adaptive_events import RTOL, AdaptiveStepper
 
-    return AdaptiveStepper(scene, way.rtol or RTOL, way.method)
+    return AdaptiveStepper(scene, choice.rtol or RTOL, choice.method)
 
 
 def drive(run: Stepper, until: float, h: float, phase: float = 1.0) -> None:
@@ -82,10 +82,10 @@ def drive(run: Stepper, until: float, h: float, phase: float = 1.0) -> None:
         k += 1
 
 
-def outcome(scene: Scene, way: Way, phase: float = 1.0) -> Stepper:
+def outcome(scene: Scene, choice: MethodChoice, phase: float = 1.0) -> Stepper:
     """A run of which nothing is kept but its end."""
-    run = stepper(scene, way)
-    drive(run, scene.until, way.step or scene.until, phase)
+    run = stepper(scene, choice)
+    drive(run, scene.until, choice.step or scene.until, phase)
     return run
 
 
@@ -98,15 +98,17 @@ def batchable(scene: Scene) -> bool:
     return not any(contact is not None and contact.sudden for contact in scene.contacts)
 
 
-def batch(scene: Scene, way: Way, phases: NDArray[np.float64]) -> tuple[Row, Row, Stepper]:
+def batch(
+    scene: Scene, choice: MethodChoice, phases: NDArray[np.float64]
+) -> tuple[Row, Row, Stepper]:
     """Ways and velocities at the end of one run per phase, all in the same arrays."""
     import numpy as np
 
-    assert way.step is not None
-    run = Stepper(scene, FIXED[way.method], lanes=len(phases))
+    assert choice.step is not None
+    run = Stepper(scene, FIXED[choice.method], lanes=len(phases))
     t, k = np.zeros(len(phases)), 0
     while (t < scene.until).any():
-        end = np.maximum(t, np.minimum(scene.until, (phases + k) * way.step))
+        end = np.maximum(t, np.minimum(scene.until, (phases + k) * choice.step))
         run.advance(t, end - t)
         t, k = end, k + 1
     return run.s, run.v, run

@@ -22,7 +22,7 @@ from sim.dynamics.result.trajectory import Trajectory
 from sim.dynamics.stepping import spent
 from sim.dynamics.stepping.bumpers import Bumpers
 from sim.dynamics.stepping.joint_forces import WALLS
-from sim.dynamics.stepping.methods import ADAPTIVE, STEP, Way, drive, stepper
+from sim.dynamics.stepping.methods import ADAPTIVE, STEP, MethodChoice, drive, stepper
 from sim.dynamics.stepping.pairs import Detail, Row
 from sim.dynamics.stepping.stepper import LocatedStepper, Stepper
 from sim.dynamics.stepping.story import Story
@@ -38,7 +38,7 @@ class SteppedRun:
     """A run like an exact one, its samples, and what its accounts leave unexplained."""
 
     run: Run
-    way: Way
+    choice: MethodChoice
     samples: Trajectory
     steps: int
     evaluations: int
@@ -57,11 +57,11 @@ class SteppedRun:
         return books.energy_final + books.warmed - books.energy_initial - made
 
 
-def stepped(scene: Scene, way: Way, *, keep_events: bool = True) -> SteppedRun:
-    """Run a scene step by step; `way` holds for the whole run."""
-    step = way.step or (scene.until if way.method in ADAPTIVE else STEP)
-    run = stepper(scene, way)
-    recorder = Recorder(scene, way, run, step, keep_events=keep_events)
+def stepped(scene: Scene, choice: MethodChoice, *, keep_events: bool = True) -> SteppedRun:
+    """Run a scene step by step; `choice` holds for the whole run."""
+    step = choice.step or (scene.until if choice.method in ADAPTIVE else STEP)
+    run = stepper(scene, choice)
+    recorder = Recorder(scene, choice, run, step, keep_events=keep_events)
     drive(run, scene.until, step)
     return recorder.finish()
 
@@ -70,9 +70,15 @@ class Recorder:
     """Listens to a stepper that stands at its start; `step` [s] is its usual one."""
 
     def __init__(
-        self, scene: Scene, way: Way, run: Stepper, step: float, *, keep_events: bool = True
+        self,
+        scene: Scene,
+        choice: MethodChoice,
+        run: Stepper,
+        step: float,
+        *,
+        keep_events: bool = True,
     ) -> None:
-        self.scene, self.way, self.step, self.run = scene, way, step, run
+        self.scene, self.choice, self.step, self.run = scene, choice, step, run
         self.run.watch(self.seen)
         self.record = Record(scene, keep_events, keep_motion=True)
         self.story = Story(self.run.field, self.record, isinstance(run, LocatedStepper))
@@ -199,12 +205,12 @@ class Recorder:
             a=tuple(a),
             record=self.record,
             ledger=ledger,
-            solvers={self.way.method: evaluations},
+            solvers={self.choice.method: evaluations},
             effects=dict.fromkeys(sorted(kinds), evaluations),
             forces=None,
             stopped=None,
         )
-        return SteppedRun(finished, self.way, Trajectory(self.columns), run.steps, evaluations)
+        return SteppedRun(finished, self.choice, Trajectory(self.columns), run.steps, evaluations)
 
 
 def _outside(scene: Scene) -> list[tuple[str, int]]:

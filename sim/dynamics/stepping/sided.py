@@ -11,7 +11,7 @@ from array import array
 from collections.abc import Iterable, Mapping
 
 from sim.dynamics.result.outcome import UnsolvedError
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.pairs import Detail, Row
 from sim.dynamics.stepping.recorded import Recorder
 from sim.dynamics.stepping.stepper import LocatedStepper
@@ -72,14 +72,14 @@ class SidedRecorder(Recorder):
     """Keeps what came from nowhere under `name`, and the push on each side of `gaps`."""
 
     def __init__(
-        self, scene: Scene, way: Way, run: LocatedStepper, step: float, name: str,
+        self, scene: Scene, choice: MethodChoice, run: LocatedStepper, step: float, name: str,
         gaps: Iterable[int],
     ) -> None:  # fmt: skip
         self.name = name
         self.on: dict[Side, array[float]] = {
             (gap, side): array("d") for gap in gaps for side in (0, 1)
         }
-        super().__init__(scene, way, run, step)
+        super().__init__(scene, choice, run, step)
 
     def from_outside(self) -> list[tuple[str, int]]:
         """What comes from nowhere, beside the scene's own effects."""

@@ -12,21 +12,23 @@ from sim.scene.said import said
 
 def stepped_report(result: SteppedRun) -> dict[str, Any]:
     """What `carts run --method … --json` prints: format 1, the plan and the imbalance its own."""
-    run, way = result.run, result.way
+    run, choice = result.run, result.choice
     document = report(run)
     asked = (
-        said("asked for: step {size}, for the whole run", size=f"{way.step:.6g} s")
-        if way.step
-        else said("asked for: relative tolerance {size}, for the whole run", size=f"{way.rtol:.3g}")
+        said("asked for: step {size}, for the whole run", size=f"{choice.step:.6g} s")
+        if choice.step
+        else said(
+            "asked for: relative tolerance {size}, for the whole run", size=f"{choice.rtol:.3g}"
+        )
     )
     document["plan"] = [
         {
             "from": 0.0,
             "until": run.t,
             "tier": None,
-            "solver": way.method,
+            "solver": choice.method,
             "why": said("{first}; {last}", first=asked, last=said("it is not exact")),
-            "packages": ["numpy", "scipy"] if way.method in ADAPTIVE else [],
+            "packages": ["numpy", "scipy"] if choice.method in ADAPTIVE else [],
         }
     ]
     document["energy"]["imbalance"] = finite(result.lost_energy)

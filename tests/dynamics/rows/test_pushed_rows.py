@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from sim.dynamics.loop.run import run
-from sim.dynamics.stepping.methods import Way
+from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.recorded import stepped
 from sim.scene import read_scene
 
@@ -46,6 +46,6 @@ def test_a_pushed_row_comes_to_its_end(
     done = run(described, max_steps=2_000)
     assert done.t == UNTIL, done.outcome.sentence
     # Independent: steps of RK4 with located events, which join carts in a way of their own.
-    other = stepped(described, Way("rk4-events", step=UNTIL / 997)).run
+    other = stepped(described, MethodChoice("rk4-events", step=UNTIL / 997)).run
     assert done.v == pytest.approx(other.v, abs=1e-6)
     assert done.x == pytest.approx(other.x, abs=1e-6)
