@@ -1,7 +1,7 @@
 """What every contact law of finite duration has to say.
 
-* `Figures`: what one isolated contact from first touch comes to, per unit of approach speed (every
-  linear law scales with that speed), and
+* `IsolatedContact`: what one from first touch comes to, per unit of approach speed (every linear
+  law scales with that speed), and
 * `stretches`: the closed form of the overlap from any start, for drawing and for hard cases,
 * `branch` and `guards`: the same part by part, where others push too.
 """
@@ -28,7 +28,7 @@ def reduced_mass(a: float, b: float) -> float:
 
 
 @dataclass(frozen=True, slots=True)
-class Figures:
+class IsolatedContact:
     """One isolated contact from first touch (d = 0) at approach speed 1 m/s.
 
     Times hold for every approach speed u; overlaps, rates and forces are to be multiplied by u.
@@ -70,7 +70,7 @@ class ContactLaw(Protocol):
     def steepest(self) -> float:
         """N/m (or the law's own unit). Of its steepest line, for the length of a step."""
 
-    def figures(self, mu: float) -> Figures:
+    def figures(self, mu: float) -> IsolatedContact:
         """The isolated contact from first touch."""
 
     def stretches(self, mu: float, d0: float, v0: float, memory: Memory) -> tuple[Swing, ...]:

@@ -26,7 +26,7 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from sim.laws.branch import Branch
-from sim.laws.contact_law import Figures, Memory
+from sim.laws.contact_law import IsolatedContact, Memory
 from sim.laws.damped_oscillation import Rate
 from sim.laws.rounding import LAST_BIT
 
@@ -131,12 +131,12 @@ class Dashpot:
 
     def figures_from(
         self, mu: float, duration: float, e: float, out_overlap: float, last_force: float = 0.0
-    ) -> Figures:
+    ) -> IsolatedContact:
         """Those of a law whose contact ends then, so fast and with that overlap left."""
         w0 = math.sqrt(self.stiffness / mu)
         peak_time, peak_force, peak_rate = self._greatest_force(w0, mu)
         d = self.damping
-        return Figures(
+        return IsolatedContact(
             duration=duration,
             e=e,
             out_overlap=out_overlap,

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class PerSpeed:
-    """One contact at approach speed 1 m/s, as in `contact_law.Figures`."""
+    """One contact at approach speed 1 m/s, as in `contact_law.IsolatedContact`."""
 
     e: Values
     duration: Values

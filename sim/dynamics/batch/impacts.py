@@ -2,12 +2,13 @@
 
     v' = V + e (V − v)      impulse J = mu (u + u')      warmed = mu u² (1 − e²)/2
 
-The same formulas, in the same order of operations, as `impact.outgoing` and the laws' `Figures`:
-velocities agree with a single run to the last bit, everything else within a few units in the last
-place (numpy's logarithm and its friends differ there from Python's). Masses in kg, velocities in
-m/s, + to the right, k in N/m. Arguments may be numbers or arrays of shapes that broadcast: a grid
-over mass and restitution works on a row and a column as long as it can. Columns of some thousand
-contacts are fastest (25 ns each): the forty intermediate ones then stay in the cache.
+The same formulas, in the same order of operations, as `impact.outgoing` and the laws'
+`IsolatedContact`: velocities agree with a single run to the last bit, everything else within a few
+units in the last place (numpy's logarithm and its friends differ there from Python's). Masses in
+kg, velocities in m/s, + to the right, k in N/m. Arguments may be numbers or arrays of shapes that
+broadcast: a grid over mass and restitution works on a row and a column as long as it can. Columns
+of some thousand contacts are fastest (25 ns each): the forty intermediate ones then stay in the
+cache.
 """
 
 from __future__ import annotations

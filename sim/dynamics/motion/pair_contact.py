@@ -22,7 +22,7 @@ from typing import ClassVar
 from sim.dynamics.motion.safe_step import SLACK
 from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, PeakSoFar
 from sim.dynamics.state.clock import Time, elapsed
-from sim.laws.contact_law import ContactLaw, Figures
+from sim.laws.contact_law import ContactLaw, IsolatedContact
 from sim.laws.damped_oscillation import Rate, Swing, first_turn, greatest_force
 
 FAR = 1e300
@@ -43,7 +43,7 @@ class PairContact:
     memory: float  # m, of the bumper, before this contact
     velocity_of_centre: float  # m/s, V
     shares: tuple[float, float]  # mu/mA, mu/mB
-    figures: Figures | None  # where it starts from first touch
+    figures: IsolatedContact | None  # where it starts from first touch
     duration: float = field(init=False)
     _stretches: tuple[Swing, ...] | None = field(init=False, default=None)
     gap: int = field(init=False)

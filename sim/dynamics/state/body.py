@@ -19,7 +19,7 @@ from sim.dynamics.state.loads import NO_LOAD, Load
 from sim.dynamics.state.touching import Loose, Touching
 from sim.effects.forces import BodyForce, PairForce
 from sim.laws.branch import Cause
-from sim.laws.contact_law import ContactLaw, Figures, reduced_mass
+from sim.laws.contact_law import ContactLaw, IsolatedContact, reduced_mass
 from sim.laws.damped_oscillation import Rate
 from sim.scene.model import Contact
 
@@ -216,7 +216,7 @@ class Gap:
     alternates: int = 0  # how many of them count for the margin
     before: int = 0  # of these, with the first at the very time of the last
     clear_at: Time | None = None  # when its overlap will have cleared, if that is known
-    _figures: tuple[float, Figures] | None = field(default=None)
+    _figures: tuple[float, IsolatedContact] | None = field(default=None)
 
     @property
     def member(self) -> bool:
@@ -228,7 +228,7 @@ class Gap:
         """Reduced mass in kg."""
         return reduced_mass(self.left.mass, self.right.mass)
 
-    def figures(self, mu: float) -> Figures:
+    def figures(self, mu: float) -> IsolatedContact:
         """Those of the gap's law, computed once per reduced mass."""
         if self._figures is None or self._figures[0] != mu:
             assert self.law is not None
@@ -242,6 +242,6 @@ def kinds_of(gap: Gap) -> tuple[str, ...]:
 
 
 @lru_cache(maxsize=4096)
-def figures_of(law: Hashable, mu: float) -> Figures:
+def figures_of(law: Hashable, mu: float) -> IsolatedContact:
     """The same pair meets again and again, in this run and in the next."""
     return law.figures(mu)  # type: ignore[attr-defined, no-any-return]

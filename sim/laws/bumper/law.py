@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from sim.laws.branch import APART_AT_NO_FORCE, LOCKED, Branch, Guard
-from sim.laws.contact_law import Figures, Memory
+from sim.laws.contact_law import IsolatedContact, Memory
 from sim.laws.damped_oscillation import Swing, undamped
 
 if TYPE_CHECKING:
@@ -50,11 +50,11 @@ class Bumper:
         """Springing back."""
         return self.stiffness / self.e**2 if self.e else self.stiffness
 
-    def figures(self, mu: float) -> Figures:
+    def figures(self, mu: float) -> IsolatedContact:
         """Two quarter swings, the second e times as long as the first."""
         w = math.sqrt(self.stiffness / mu)
         quarter = 0.5 * math.pi / w
-        return Figures(
+        return IsolatedContact(
             duration=quarter * (1.0 + self.e),
             e=self.e,
             out_overlap=(1.0 - self.e * self.e) / w,
@@ -119,7 +119,7 @@ class Bumper:
         return max(d, memory)
 
     def force(self, mu: float, d: float, v: float) -> float:
-        """What the force is depends on what is remembered: `branch` says."""
+        """Not defined by d and v alone: ask `branch`. Raises NotImplementedError."""
         raise NotImplementedError
 
     def damper(self, mu: float) -> float:

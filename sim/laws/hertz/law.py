@@ -20,7 +20,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, ClassVar
 
 from sim.laws.branch import APART_AT_NO_OVERLAP, CURVED, Branch, Guard
-from sim.laws.contact_law import Figures, Memory
+from sim.laws.contact_law import IsolatedContact, Memory
 from sim.laws.damped_oscillation import Swing
 from sim.laws.dashpot import damping_to_zero_overlap
 
@@ -67,12 +67,12 @@ class Hertz:
             return 0.0
         return self.damper(mu) * math.sqrt(math.sqrt(d)) * v * v
 
-    def figures(self, mu: float) -> Figures:
-        """Not proportional to the speed."""
+    def figures(self, mu: float) -> IsolatedContact:
+        """Not proportional to the speed: ask `alone`. Raises NotImplementedError."""
         raise NotImplementedError
 
     def stretches(self, mu: float, d0: float, v0: float, memory: Memory) -> tuple[Swing, ...]:
-        """No closed form."""
+        """No closed form in t: ask `alone`. Raises NotImplementedError."""
         raise NotImplementedError
 
     def alone(self, mu: float, d: float, v: float) -> Alone | None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from sim.laws.branch import APART_AT_NO_OVERLAP, Branch, Guard
-from sim.laws.contact_law import Figures, Memory
+from sim.laws.contact_law import IsolatedContact, Memory
 from sim.laws.damped_oscillation import Swing, first_zero
 from sim.laws.dashpot import Dashpot, damping_to_zero_overlap
 
@@ -24,7 +24,7 @@ class Paper(Dashpot):
     def __post_init__(self) -> None:
         object.__setattr__(self, "damping", damping_to_zero_overlap(self.e))
 
-    def figures(self, mu: float) -> Figures:
+    def figures(self, mu: float) -> IsolatedContact:
         """Exact e for every e in 0 to 1; e = 0 never separates."""
         w = math.sqrt(self.stiffness / mu) * self.damping.sine
         pull = -2.0 * self.damping.zeta * self.e * math.sqrt(self.stiffness * mu)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from sim.laws.branch import APART_AT_NO_FORCE, Branch, Guard
-from sim.laws.contact_law import Figures, Memory
+from sim.laws.contact_law import IsolatedContact, Memory
 from sim.laws.damped_oscillation import Swing, first_zero
 from sim.laws.dashpot import Dashpot, damping_to_zero_force
 
@@ -33,7 +33,7 @@ class PushOnly(Dashpot):
         """The restitution that comes out."""
         return self.e
 
-    def figures(self, mu: float) -> Figures:
+    def figures(self, mu: float) -> IsolatedContact:
         """Exact e for 0 < e <= 1."""
         w0, d = math.sqrt(self.stiffness / mu), self.damping
         e = self.delivered
