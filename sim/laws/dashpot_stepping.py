@@ -64,7 +64,7 @@ class DashpotForce:
         return 0.0
 
     def settle(self, held: float, push: float, memory: float, stored: float) -> tuple[float, float]:
-        """Where it may only push, what an overlap that is left still held is warm."""
+        """Energy [J] still stored when the force has become 0 is lost, where it only pushes."""
         if self.pulls:
             return 0.0, 0.0
         return (held if held and not push else 0.0), (stored if push else 0.0)

@@ -45,6 +45,9 @@ def for_ever(
 def at_once_for_ever(
     inverse: Sequence[float], closing: Sequence[float], restitution: Sequence[float]
 ) -> bool:
-    """Is it so, whichever of the two gaps is hit first?"""
+    """Whether the two gaps are hit infinitely often, whichever is hit first.
+
+    Inverse masses [1/kg], closing speeds [m/s], restitutions.
+    """
     back = inverse[::-1], closing[::-1], restitution[::-1]
     return for_ever(inverse, closing, restitution) and for_ever(*back)

@@ -1,4 +1,4 @@
-"""euler: the way by the old velocity, the velocity by the old force.
+"""euler: position with the old velocity, velocity with the old force.
 
     s' = s + h v      v' = v + h a(s, v)
 

@@ -1,10 +1,10 @@
-"""The right-hand side of a scene: from ways and velocities to accelerations, built once.
+"""The right-hand side of a scene: from displacements and velocities to accelerations, built once.
 
     m_k a_k = N_(k−1) − N_k + pulls + friction        N_k [N] pushes the bodies of gap k apart
 
-`s` holds the way of each cart from its start [m], so that gaps do not suffer from large positions;
-`v` its velocity [m/s]. Numbers may be floats, or arrays of many runs at once (`lanes`). Carts that
-stick together (velcro, a latch) move as one body.
+`s` holds the displacement of each cart from its start [m], so that gaps do not suffer from large
+positions; `v` its velocity [m/s]. Numbers may be floats, or arrays of many runs at once (`lanes`).
+Carts that stick together (velcro, a latch) move as one body.
 
 Friction has no direction at rest, and a step jumps over rest. So a cart slower than what friction
 takes in one step, |v| <= μ N h/m, counts as stopping: friction then takes up all other forces, up

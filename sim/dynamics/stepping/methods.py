@@ -101,7 +101,7 @@ def batchable(scene: Scene) -> bool:
 def batch(
     scene: Scene, choice: MethodChoice, phases: NDArray[np.float64]
 ) -> tuple[Row, Row, Stepper]:
-    """Ways and velocities at the end of one run per phase, all in the same arrays."""
+    """Displacements and velocities at the end of one run per phase, all in the same arrays."""
     import numpy as np
 
     assert choice.step is not None

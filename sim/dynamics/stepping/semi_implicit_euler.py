@@ -1,4 +1,4 @@
-"""semi-implicit: the velocity first, then the way by the new velocity. What most games do.
+"""semi-implicit: velocity first, then position with the new velocity. What most games do.
 
     v' = v + h a(s, v)      s' = s + h v'
 

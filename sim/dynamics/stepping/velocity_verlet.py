@@ -1,4 +1,4 @@
-"""verlet: velocity Verlet. The way with the old force, the velocity with the mean of both.
+"""verlet: velocity Verlet. Position with the old force, velocity with the mean of both.
 
     a = a(s, v)      s' = s + h v + ½ h² a      v' = v + ½ h (a + a(s', v + h a))
 

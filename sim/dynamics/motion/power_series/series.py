@@ -187,7 +187,7 @@ press them together."""
 
 
 def is_rounding(difference: float, value: float) -> bool:
-    """Is that all that the difference of two accelerations like `value` amounts to?"""
+    """Whether `difference` is rounding beside accelerations [m/s²] of size `value`."""
     return abs(difference) <= ALIKE * abs(value)
 
 
