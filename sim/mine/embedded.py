@@ -15,7 +15,7 @@ import math
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.stepping.falls import Along, State, first_falls
 from sim.dynamics.stepping.located import Key
-from sim.dynamics.stepping.pairs import Row
+from sim.dynamics.stepping.pairs import PerCart
 from sim.dynamics.stepping.sided import OwnSteps
 from sim.mine.field import WrittenField
 from sim.scene.model import Scene
@@ -131,13 +131,15 @@ class EmbeddedStepper(OwnSteps):
             self._told(t, first, s1, v1)
         return first, keys
 
-    def _tried(self, t: float, h: float, s: Row, v: Row) -> tuple[Row, Row, Row, Row, float]:
+    def _tried(
+        self, t: float, h: float, s: PerCart, v: PerCart
+    ) -> tuple[PerCart, PerCart, PerCart, PerCart, float]:
         """Places, velocities, accelerations at both ends, and the error (1: just allowed)."""
         field, count = self.field, range(len(s))
         if field.keep is not None:
             field.keep.clear()
-        us: list[Row] = []
-        ks: list[Row] = []
+        us: list[PerCart] = []
+        ks: list[PerCart] = []
         x, u = s, v
         for node, row in zip(NODES, ROWS, strict=True):
             if row:
@@ -159,26 +161,28 @@ class EmbeddedStepper(OwnSteps):
         )
         return x, u, ks[0], ks[-1], error
 
-    def _closing(self, s: Row, v: Row) -> float:
+    def _closing(self, s: PerCart, v: PerCart) -> float:
         """m/s. The fastest pair that touches."""
         rates = (self.field.overlap(pair, s, v) for pair, _ in self.own.written)
         return max((abs(rate) for d, rate in rates if d > 0.0), default=0.0)
 
-    def _look(self, s: Row, v: Row, *, stuck: bool = False) -> None:
+    def _look(self, s: PerCart, v: PerCart, *, stuck: bool = False) -> None:
         for pair, force in self.own.written:
             force.look_at(*self.field.overlap(pair, s, v), self.speed, stuck=stuck)
 
-    def _told(self, t: float, h: float, s: Row, v: Row) -> None:
+    def _told(self, t: float, h: float, s: PerCart, v: PerCart) -> None:
         self.s, self.v = s, v
         if self.seen is not None:
             self.tell(t + h, h, FIFTH)
 
 
-def _sum(weights: tuple[float, ...], stages: list[Row], k: int) -> float:
+def _sum(weights: tuple[float, ...], stages: list[PerCart], k: int) -> float:
     return float(sum(c * stage[k] for c, stage in zip(weights, stages, strict=True)))
 
 
-def _quintic(s: Row, v: Row, a: Row, s1: Row, v1: Row, a1: Row, h: float) -> Along:
+def _quintic(
+    s: PerCart, v: PerCart, a: PerCart, s1: PerCart, v1: PerCart, a1: PerCart, h: float
+) -> Along:
     """Places and velocities inside of a step of h."""
     parts = []
     for x0, u0, k0, x1, u1, k1 in zip(s, v, a, s1, v1, a1, strict=True):

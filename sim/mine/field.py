@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from sim.dynamics.stepping.field import Field
-from sim.dynamics.stepping.pairs import Pair, Row
+from sim.dynamics.stepping.pairs import Pair, PerCart
 from sim.mine.contact import WrittenForce, side_of
 from sim.mine.instance import Instance, read_law
 from sim.scene.model import Scene
@@ -27,7 +27,7 @@ class WrittenField(Field):
             file: Instance(read_law(text, file)) for file, text in scene.written.items()
         }
         self.written: list[tuple[Pair, WrittenForce]] = []
-        self.nowhere: Row = [0.0] * self.count  # N on each cart
+        self.nowhere: PerCart = [0.0] * self.count  # N on each cart
         for pair in self.pairs:
             if pair.contact.written:
                 force = self._force(pair, right_first=right_first)
@@ -57,7 +57,9 @@ class WrittenField(Field):
         """Have two sides ever answered differently?"""
         return any(force.apart.odd for _, force in self.written)
 
-    def forces(self, t: Any, s: Row, v: Row) -> tuple[Row, dict[tuple[str, int], Any], Row]:
+    def forces(
+        self, t: Any, s: PerCart, v: PerCart
+    ) -> tuple[PerCart, dict[tuple[str, int], Any], PerCart]:
         """As in any scene, after every pair was told of the instant."""
         for pair, force in self.written:
             left = 0.0 if pair.left is None else v[pair.left]
@@ -65,7 +67,9 @@ class WrittenField(Field):
             force.look(t, left, right)
         return super().forces(t, s, v)
 
-    def _total(self, t: Any, v: Row, push: Row, links: dict[tuple[str, int], float]) -> Row:
+    def _total(
+        self, t: Any, v: PerCart, push: PerCart, links: dict[tuple[str, int], float]
+    ) -> PerCart:
         total = super()._total(t, v, push, links)
         extra = [0.0] * self.count
         for pair, force in self.written:
@@ -76,5 +80,5 @@ class WrittenField(Field):
         self.nowhere = extra
         return [a + b for a, b in zip(total, extra, strict=True)]
 
-    def _outside(self, t: float, v: Row) -> dict[tuple[str, int], float]:
+    def _outside(self, t: float, v: PerCart) -> dict[tuple[str, int], float]:
         return super()._outside(t, v) | {(OWN, k): f for k, f in enumerate(self.nowhere) if f}

@@ -21,7 +21,7 @@ from bisect import bisect_left, bisect_right
 from typing import Any
 
 from sim.dynamics.stepping.field import Field
-from sim.dynamics.stepping.pairs import Pair, Row, link_force
+from sim.dynamics.stepping.pairs import Pair, PerCart, link_force
 from sim.scene.model import Scene
 from sim.worlds.force import EVEN, Impossible, Two
 
@@ -45,10 +45,12 @@ class WorldField(Field):
         self.begun: dict[int, Begun] = {}  # by gap, while the two push each other
         self.past: dict[tuple[int, int], Past] = {}  # by gap and the side that gets it later
         self.last_push = -math.inf  # s
-        self.nowhere: Row = [0.0] * self.count  # N on each cart
+        self.nowhere: PerCart = [0.0] * self.count  # N on each cart
         self.on: dict[tuple[int, int], float] = {}  # N on side 0 or 1 of a gap, pushing apart
 
-    def _total(self, t: Any, v: Row, push: Row, links: dict[tuple[str, int], float]) -> Row:
+    def _total(
+        self, t: Any, v: PerCart, push: PerCart, links: dict[tuple[str, int], float]
+    ) -> PerCart:
         total = super()._total(t, v, push, links)
         extra = [-b * u for b, u in zip(self.resistance, v, strict=True)]
         for pair in self.pairs:
@@ -61,7 +63,9 @@ class WorldField(Field):
         self.nowhere = extra
         return [a + b for a, b in zip(total, extra, strict=True)]
 
-    def _sides(self, pair: Pair, t: float, v: Row, pushed: float) -> list[tuple[int | None, float]]:
+    def _sides(
+        self, pair: Pair, t: float, v: PerCart, pushed: float
+    ) -> list[tuple[int | None, float]]:
         """Cart and push [N] on each of the two."""
         gap, two = pair.gap, pair.left is not None and pair.right is not None
         (alpha, beta), hits = self._begun(pair, t, v) if two and pushed else NO_PUSH
@@ -72,11 +76,11 @@ class WorldField(Field):
                 on[side] += self.earlier(gap, side, t)
         return [(pair.left, on[0]), (pair.right, on[1])]
 
-    def _begun(self, pair: Pair, t: float, v: Row) -> Begun:
+    def _begun(self, pair: Pair, t: float, v: PerCart) -> Begun:
         """As it was chosen; in the step in which a push begins, as it would be just now."""
         return self.begun.get(pair.gap) or self._chosen(pair, t, v)
 
-    def _chosen(self, pair: Pair, t: float, v: Row) -> Begun:
+    def _chosen(self, pair: Pair, t: float, v: PerCart) -> Begun:
         a, b = pair.left, pair.right
         assert a is not None and b is not None  # a wall has no mass that could be compared
         speeds = (float(v[a]), float(v[b]))
@@ -84,10 +88,10 @@ class WorldField(Field):
         shares = self.world.shares((self.mass[a], self.mass[b]), speeds, outside)
         return shares, 0 if abs(speeds[0]) >= abs(speeds[1]) else 1
 
-    def _acting_on(self, cart: int, t: float, v: Row) -> float:
+    def _acting_on(self, cart: int, t: float, v: PerCart) -> float:
         return float(sum(one.at(v[cart]) for one in self.body_forces(t)[cart]))
 
-    def meet(self, t: float, s: Row, v: Row) -> None:
+    def meet(self, t: float, s: PerCart, v: PerCart) -> None:
         """Between two steps: which pushes begin just now, and which are over."""
         for pair in self.couples:
             if not self._pushes(pair, s, v):
@@ -95,7 +99,7 @@ class WorldField(Field):
             elif pair.gap not in self.begun:
                 self.begun[pair.gap] = self._chosen(pair, t, v)
 
-    def _pushes(self, pair: Pair, s: Row, v: Row) -> bool:
+    def _pushes(self, pair: Pair, s: PerCart, v: PerCart) -> bool:
         if (self.modes or {}).get(pair.gap, "apart") != "apart":
             return True
         if not pair.links or pair.gap in self.joined:
@@ -103,7 +107,7 @@ class WorldField(Field):
         d, rate = self.overlap(pair, s, v)
         return any(link_force(link, d, rate, lanes=False) > 0.0 for link in pair.links)
 
-    def remember(self, t: float, s: Row, v: Row) -> list[float]:
+    def remember(self, t: float, s: PerCart, v: PerCart) -> list[float]:
         """What comes later of the pushes at t, the end of a step; when those come that have jumped.
 
         Said again after what happens at t: then they may have.
@@ -144,10 +148,10 @@ class WorldField(Field):
         """Does a push of the last moments still have to come?"""
         return t <= self.last_push + self.world.delay
 
-    def _outside(self, t: float, v: Row) -> dict[tuple[str, int], float]:
+    def _outside(self, t: float, v: PerCart) -> dict[tuple[str, int], float]:
         return super()._outside(t, v) | {(self.name, k): f for k, f in enumerate(self.nowhere)}
 
 
-def _apart(gap: int, push: Row, links: dict[tuple[str, int], float]) -> Any:
+def _apart(gap: int, push: PerCart, links: dict[tuple[str, int], float]) -> Any:
     """N. What pushes the two of a gap apart by the scene's own laws."""
     return push[gap] + sum(f for (_, place), f in links.items() if place == gap and f > 0.0)

@@ -17,7 +17,7 @@ from sim.dynamics.result.finished import Run
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.result.trajectory import Trajectory
 from sim.dynamics.stepping.methods import MethodChoice
-from sim.dynamics.stepping.pairs import Detail, Row
+from sim.dynamics.stepping.pairs import Detail, PerCart
 from sim.dynamics.stepping.sided import OwnSteps, Side, SidedRecorder
 from sim.laws.lookup import contact_law
 from sim.scene.model import Scene
@@ -130,7 +130,7 @@ class WorldStepper(OwnSteps):
         steep += sum(link.bounds(max(-d, link.nearest))[0] for link in pair.links)
         return SWING / math.sqrt(2.0 * steep / pair.mu) if steep > 0.0 else math.inf
 
-    def _accept(self, t: float, h: float, s: Row, v: Row) -> None:
+    def _accept(self, t: float, h: float, s: PerCart, v: PerCart) -> None:
         if not all(map(math.isfinite, (*s, *v))):
             raise self.lost(t)
         super()._accept(t, h, s, v)

@@ -17,7 +17,7 @@ from typing import Any
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.stepping.falls import Along, State, first_falls
 from sim.dynamics.stepping.located import Key
-from sim.dynamics.stepping.pairs import Row
+from sim.dynamics.stepping.pairs import PerCart
 from sim.dynamics.stepping.stepper import LocatedStepper
 from sim.scene.model import Scene
 from sim.scene.said import said
@@ -138,7 +138,7 @@ class AdaptiveStepper(LocatedStepper):
                 (),
             )
 
-    def _split(self, y: Any) -> tuple[Row, Row]:
+    def _split(self, y: Any) -> tuple[PerCart, PerCart]:
         values = y.tolist()
         return values[: len(self.s)], values[len(self.s) :]
 

@@ -9,14 +9,14 @@ from __future__ import annotations
 
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.stepping import spent
-from sim.dynamics.stepping.pairs import Row
+from sim.dynamics.stepping.pairs import PerCart
 from sim.dynamics.stepping.stepper import Stepper
 
 
 class Bumpers:
     """Of a run, from its start with forces `push` [N]: what overlapped before is no part of it."""
 
-    def __init__(self, run: Stepper, ledger: Ledger, push: Row) -> None:
+    def __init__(self, run: Stepper, ledger: Ledger, push: PerCart) -> None:
         self.field, self.ledger = run.field, ledger
         self._held: dict[int, float] = {}  # what a law gave back at the step before
         self._idle: dict[int, float] = {}  # J of overlaps that do not push
@@ -28,7 +28,7 @@ class Bumpers:
                     spent.stored(pair, d, rate, 0.0),
                 )[1]  # fmt: skip
 
-    def step(self, s: Row, v: Row, push: Row, impulses: list[float]) -> None:
+    def step(self, s: PerCart, v: PerCart, push: PerCart, impulses: list[float]) -> None:
         """A step ended with these forces [N]; `impulses` [N s] were given in it."""
         field = self.field
         for pair in field.pairs:

@@ -12,7 +12,7 @@ from __future__ import annotations
 from typing import Any, ClassVar
 
 from sim.dynamics.stepping.field import Field
-from sim.dynamics.stepping.pairs import Row
+from sim.dynamics.stepping.pairs import PerCart
 
 
 class ExplicitEuler:
@@ -23,7 +23,7 @@ class ExplicitEuler:
     weights: ClassVar[tuple[float, ...]] = (1.0,)
 
     @staticmethod
-    def step(field: Field, t: Any, s: Row, v: Row, h: Any) -> tuple[Row, Row]:
+    def step(field: Field, t: Any, s: PerCart, v: PerCart, h: Any) -> tuple[PerCart, PerCart]:
         """One step."""
         a = field.accelerations(t, s, v, h)
         return (

@@ -15,7 +15,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from sim.dynamics.stepping.located import CLEAR, NEAR, Key, Located
-from sim.dynamics.stepping.pairs import Pair, Row
+from sim.dynamics.stepping.pairs import Pair, PerCart
 
 RISING = 12
 """Looks at a guard that begins at nought, each a quarter as far into the step as the one before."""
@@ -23,7 +23,7 @@ RISING = 12
 ROUNDING = 1e-14
 """Of ways and room: what sums of them are wrong by at most."""
 
-State = tuple[Row, Row]
+State = tuple[PerCart, PerCart]
 """Ways and velocities."""
 
 Along = Callable[[float], State]

@@ -19,7 +19,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from sim.dynamics.stepping.joint_forces import from_walls, joint_forces
-from sim.dynamics.stepping.pairs import Detail, Pair, Row, link_force, pair_of
+from sim.dynamics.stepping.pairs import Detail, Pair, PerCart, link_force, pair_of
 from sim.dynamics.stepping.regrouped import at_wall, bodies_of, regroup
 from sim.effects.forces import FRICTION, BodyForce, checked
 from sim.laws.stepping import Mode
@@ -85,7 +85,7 @@ class Field:
             for k in range(self.count)
         ]
 
-    def overlap(self, pair: Pair, s: Row, v: Row) -> tuple[Any, Any]:
+    def overlap(self, pair: Pair, s: PerCart, v: PerCart) -> tuple[Any, Any]:
         """d [m], negative where there is room, and its rate [m/s]."""
         i, j = pair.left, pair.right
         if i is None:
@@ -94,7 +94,7 @@ class Field:
             return s[i] - pair.room, v[i]
         return s[i] - s[j] - pair.room, v[i] - v[j]
 
-    def accelerations(self, t: Any, s: Row, v: Row, h: Any) -> Row:
+    def accelerations(self, t: Any, s: PerCart, v: PerCart, h: Any) -> PerCart:
         """m/s² at t s; h [s] is the step that they are for, or for located events any number."""
         self.evaluations += 1
         push, links, total = self.forces(t, s, v)
@@ -115,9 +115,11 @@ class Field:
             self.keep.append(Detail(push, links, joints, outside, *taken, list(v)))
         return a
 
-    def forces(self, t: Any, s: Row, v: Row) -> tuple[Row, dict[tuple[str, int], Any], Row]:
+    def forces(
+        self, t: Any, s: PerCart, v: PerCart
+    ) -> tuple[PerCart, dict[tuple[str, int], Any], PerCart]:
         """N: by contacts per gap, by springs and magnets, and all on each cart but friction."""
-        push: Row = [0.0] * (self.count + 1)
+        push: PerCart = [0.0] * (self.count + 1)
         links: dict[tuple[str, int], Any] = {}
         for pair in self.pairs:
             gap = pair.gap
@@ -140,7 +142,9 @@ class Field:
                 )
         return push, links, self._total(t, v, push, links)
 
-    def _total(self, t: Any, v: Row, push: Row, links: dict[tuple[str, int], float]) -> Row:
+    def _total(
+        self, t: Any, v: PerCart, push: PerCart, links: dict[tuple[str, int], float]
+    ) -> PerCart:
         """N on each cart, friction left out."""
         if links:
             between = list(push)
@@ -163,9 +167,11 @@ class Field:
             bisect_right(self.switches, t if self.force_time is None else self.force_time)
         ]
 
-    def moved(self, total: Row, v: Row, h: Any) -> tuple[Row, dict[tuple[str, int], float]]:
+    def moved(
+        self, total: PerCart, v: PerCart, h: Any
+    ) -> tuple[PerCart, dict[tuple[str, int], float]]:
         """Accelerations of bodies that may stick together, and what friction does to each cart."""
-        a: Row = [0.0] * self.count
+        a: PerCart = [0.0] * self.count
         rub: dict[tuple[str, int], float] = {}
         for body in self.bodies:
             if self.fixed(body):
@@ -199,14 +205,14 @@ class Field:
             return -others - v * mass / h, False
         return -math.copysign(kinetic, others), True
 
-    def _outside(self, t: float, v: Row) -> dict[tuple[str, int], float]:
+    def _outside(self, t: float, v: PerCart) -> dict[tuple[str, int], float]:
         found: dict[tuple[str, int], float] = {}
         for k, forces in enumerate(self.body_forces(t)):
             for one in forces:
                 found[one.kind, k] = found.get((one.kind, k), 0.0) + one.at(v[k])
         return found
 
-    def _taken(self, push: Row, s: Row, v: Row) -> tuple[float, dict[str, float]]:
+    def _taken(self, push: PerCart, s: PerCart, v: PerCart) -> tuple[float, dict[str, float]]:
         """W. By the dampers of contacts, and of springs by kind."""
         warming = 0.0
         damped: dict[str, float] = {}

@@ -11,10 +11,10 @@ from __future__ import annotations
 
 from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.joint_forces import joint_forces
-from sim.dynamics.stepping.pairs import Pair, Row
+from sim.dynamics.stepping.pairs import Pair, PerCart
 
 
-def stays_pressed(field: Field, pair: Pair, t: float, s: Row, v: Row) -> bool:
+def stays_pressed(field: Field, pair: Pair, t: float, s: PerCart, v: PerCart) -> bool:
     """Would the two close at once, were it not for their bumper? It has just come to a stop."""
     force = pair.force
     if force is None or not force.locks or field.memory[pair.gap] <= 0.0:
@@ -31,7 +31,7 @@ def hold(field: Field, pair: Pair) -> None:
     field.join(pair.gap)
 
 
-def one_velocity(field: Field, pair: Pair, v: Row) -> None:
+def one_velocity(field: Field, pair: Pair, v: PerCart) -> None:
     """Of two that have come to a stop on each other: what rounding leaves of their rate goes, so
     that they do not touch once more for it. Momentum stays."""
     bodies = [body for body in field.bodies if pair.left in body or pair.right in body]
@@ -50,7 +50,7 @@ def let_go(field: Field, gap: int) -> None:
     field.join(gap, part=True)
 
 
-def guards(field: Field, t: float, s: Row, v: Row) -> dict[int, tuple[float, float]]:
+def guards(field: Field, t: float, s: PerCart, v: PerCart) -> dict[int, tuple[float, float]]:
     """By gap: the force that it takes, and how much more the bumper would take; both in N."""
     total = field.forces(t, s, v)[2]
     a, rub = field.moved(total, v, 0.0)

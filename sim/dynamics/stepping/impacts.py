@@ -18,7 +18,7 @@ from sim.dynamics.motion.impact import rebound
 from sim.dynamics.motion.locked import impulses
 from sim.dynamics.stepping import spent
 from sim.dynamics.stepping.field import Field
-from sim.dynamics.stepping.pairs import Pair, Row
+from sim.dynamics.stepping.pairs import Pair, PerCart
 from sim.effects.forces import TOUCHING, EnergyRelease, LooseForce
 from sim.laws.rounding import AS_FAST
 
@@ -60,7 +60,7 @@ class Impacts:
         self.blows: list[Blow] = []
         self.spilled = 0.0  # J that parted bumpers kept, less what pressed ones got back
 
-    def latch(self, s: Row, v: Row) -> None:
+    def latch(self, s: PerCart, v: PerCart) -> None:
         """Exploders hold together what touches with one velocity at the start."""
         for release in self.releases:
             pair = self.field.pair_at.get(release.gap)
@@ -69,14 +69,14 @@ class Impacts:
                 if d >= 0.0 and rate == 0.0:
                     self.field.join(pair.gap)
 
-    def remember(self, s: Row, v: Row) -> None:
+    def remember(self, s: PerCart, v: PerCart) -> None:
         """How far each bumper has been pressed in since it was clear."""
         field = self.field
         for pair in self.remembering:
             d, _ = field.overlap(pair, s, v)
             field.memory[pair.gap] = _remembered(d, field.memory[pair.gap])
 
-    def settle(self, t: Any, s: Row, v: Row) -> None:
+    def settle(self, t: Any, s: PerCart, v: PerCart) -> None:
         """At the end of a step; velocities in `v` are changed in place."""
         field = self.field
         self.remember(s, v)
@@ -94,7 +94,7 @@ class Impacts:
             self.set_free(self.releases.pop(0), s, v)
         self.strike([pair for pair in self.sudden if field.overlap(pair, s, v)[0] >= 0.0], s, v)
 
-    def strike(self, touching: list[Pair], s: Row, v: Row) -> None:
+    def strike(self, touching: list[Pair], s: PerCart, v: PerCart) -> None:
         """Impulses between those that touch, from left to right, until none of them closes."""
         for _ in range(SWEEPS * len(touching)):
             speeds = [self._closes(pair, s, v) for pair in touching]
@@ -111,12 +111,12 @@ class Impacts:
                 block.append(pair)
             self.strike_at_once(block, v, alone=len(touching) == 2)
 
-    def _closes(self, pair: Pair, s: Row, v: Row) -> float:
+    def _closes(self, pair: Pair, s: PerCart, v: PerCart) -> float:
         """m/s, above 0 where it does."""
         joined = pair.gap in self.field.joined
         return 0.0 if joined else float(self.field.overlap(pair, s, v)[1])
 
-    def strike_at_once(self, block: list[Pair], v: Row, *, alone: bool) -> None:
+    def strike_at_once(self, block: list[Pair], v: PerCart, *, alone: bool) -> None:
         """One impact, or several side by side; velcro makes two bodies one.
 
         `alone`: nobody else touches these; then two may be hit in turn for ever.
@@ -151,7 +151,7 @@ class Impacts:
             if pair.contact.joins:
                 self.field.join(pair.gap)
 
-    def set_free(self, release: EnergyRelease, s: Row, v: Row) -> None:
+    def set_free(self, release: EnergyRelease, s: PerCart, v: PerCart) -> None:
         """½ mu w'² = ½ mu w² + E, where the two touch; or from now on a spring is between them."""
         field = self.field
         pair = field.pair_at[release.gap]
@@ -183,7 +183,7 @@ class Impacts:
         around = (v1, v2), out
         self.blows.append(Blow(release.kind, pair, *around, mu * change, warmed, fixed=fixed))
 
-    def fall_off(self, pair: Pair, s: Row, v: Row, *, now: bool = False) -> None:
+    def fall_off(self, pair: Pair, s: PerCart, v: PerCart, *, now: bool = False) -> None:
         """Springs that have their full length push no more; `now`: the longest has it."""
         d, _ = self.field.overlap(pair, s, v)
         length = max(-d, min(spring.reach for spring in pair.loose) if now else -d)
@@ -196,7 +196,7 @@ class Impacts:
         """J in springs that nobody has let go."""
         return math.fsum(release.energy for release in self.springs)
 
-    def _body(self, cart: int | None, v: Row) -> tuple[float, list[int], float]:
+    def _body(self, cart: int | None, v: PerCart) -> tuple[float, list[int], float]:
         """Mass, carts and velocity of the body of a cart; a wall is infinite."""
         if cart is None:
             return math.inf, [], 0.0

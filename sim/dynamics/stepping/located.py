@@ -10,7 +10,7 @@ from __future__ import annotations
 from sim.dynamics.stepping import held, spent
 from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.impacts import Impacts
-from sim.dynamics.stepping.pairs import Pair, Row
+from sim.dynamics.stepping.pairs import Pair, PerCart
 
 Key = tuple[str, int, int]
 """("gap", its number, which of its guards), ("loose", the gap, which spring), ("near", the
@@ -29,11 +29,11 @@ MOST_CHANGES = 12
 class Located:
     """Formulas of a field that hold just now, and what changes them."""
 
-    def __init__(self, field: Field, impacts: Impacts, s: Row, v: Row) -> None:
+    def __init__(self, field: Field, impacts: Impacts, s: PerCart, v: PerCart) -> None:
         self.field, self.impacts = field, impacts
         self.begin(0.0, s, v)
 
-    def begin(self, t: float, s: Row, v: Row) -> None:
+    def begin(self, t: float, s: PerCart, v: PerCart) -> None:
         """Choose all formulas from the state."""
         field = self.field
         field.modes = {}
@@ -43,7 +43,7 @@ class Located:
                 field.modes[pair.gap] = pair.force.begin(d, rate, field.memory[pair.gap])
         self._grip(t, s, v)
 
-    def guards(self, t: float, s: Row, v: Row) -> dict[Key, float]:
+    def guards(self, t: float, s: PerCart, v: PerCart) -> dict[Key, float]:
         """Every guard by its key."""
         field = self.field
         found: dict[Key, float] = {}
@@ -85,7 +85,7 @@ class Located:
         assert self.field.modes is not None
         return self.field.modes.get(pair.gap, "apart") == "apart"
 
-    def change(self, keys: list[Key], t: float, s: Row, v: Row) -> None:
+    def change(self, keys: list[Key], t: float, s: PerCart, v: PerCart) -> None:
         """The formulas of these guards have come to their end; `v` is changed in place."""
         field = self.field
         assert field.modes is not None
@@ -124,7 +124,7 @@ class Located:
         self.impacts.strike(sorted(hit, key=lambda pair: pair.gap), s, v)
         self._grip(t, s, v, slipping)
 
-    def _push_again(self, pair: Pair, s: Row, v: Row, *, pressed: bool) -> None:
+    def _push_again(self, pair: Pair, s: PerCart, v: PerCart, *, pressed: bool) -> None:
         """Bumpers that a release parted are pressed again, or their overlap is gone."""
         field, gap = self.field, pair.gap
         assert field.modes is not None and pair.force is not None
@@ -136,7 +136,7 @@ class Located:
                 "apart", d, rate, field.memory[gap]
             )
 
-    def _grip(self, t: float, s: Row, v: Row, slipping: list[int] | None = None) -> None:
+    def _grip(self, t: float, s: PerCart, v: PerCart, slipping: list[int] | None = None) -> None:
         """Which bodies slide, in which direction, and which are held."""
         field = self.field
         if field.grips is None:

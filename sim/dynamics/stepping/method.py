@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, ClassVar, Protocol
 
 from sim.dynamics.stepping.field import Field
-from sim.dynamics.stepping.pairs import Row
+from sim.dynamics.stepping.pairs import PerCart
 
 
 class StepMethod(Protocol):
@@ -20,5 +20,5 @@ class StepMethod(Protocol):
     weights: ClassVar[tuple[float, ...]]
 
     @staticmethod
-    def step(field: Field, t: Any, s: Row, v: Row, h: Any) -> tuple[Row, Row]:
+    def step(field: Field, t: Any, s: PerCart, v: PerCart, h: Any) -> tuple[PerCart, PerCart]:
         """Take it."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from sim.dynamics.result.outcome import refuse_written
 from sim.dynamics.stepping.explicit_euler import ExplicitEuler
 from sim.dynamics.stepping.method import StepMethod
-from sim.dynamics.stepping.pairs import Row
+from sim.dynamics.stepping.pairs import PerCart
 from sim.dynamics.stepping.richardson import Richardson
 from sim.dynamics.stepping.rk4 import RK4
 from sim.dynamics.stepping.semi_implicit_euler import SemiImplicitEuler
@@ -100,7 +100,7 @@ def batchable(scene: Scene) -> bool:
 
 def batch(
     scene: Scene, choice: MethodChoice, phases: NDArray[np.float64]
-) -> tuple[Row, Row, Stepper]:
+) -> tuple[PerCart, PerCart, Stepper]:
     """Displacements and velocities at the end of one run per phase, all in the same arrays."""
     import numpy as np
 

@@ -15,8 +15,8 @@ from sim.laws.stepping import SteppedContact
 from sim.scene.model import Contact, Scene
 from sim.scene.said import said
 
-Row = list[Any]
-"""One number per cart; or one array, where many runs go on at once."""
+PerCart = list[Any]
+"""One number per cart or gap; or one array, where many runs go on at once."""
 
 
 @dataclass(slots=True)
@@ -43,13 +43,13 @@ class Pair:
 class Detail:
     """One evaluation: forces in N per gap and cart, power in W that dampers take, velocities."""
 
-    push: Row
+    push: PerCart
     links: dict[tuple[str, int], float]
     joints: dict[int, float]  # between two that move as one, held bumpers apart
     outside: dict[tuple[str, int], float]
     warming: float
     damped: dict[str, float]
-    v: Row
+    v: PerCart
 
 
 def pair_of(scene: Scene, gap: int, effects: Sequence[Any]) -> Pair | None:

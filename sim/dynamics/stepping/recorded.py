@@ -23,7 +23,7 @@ from sim.dynamics.stepping import spent
 from sim.dynamics.stepping.bumpers import Bumpers
 from sim.dynamics.stepping.joint_forces import WALLS
 from sim.dynamics.stepping.methods import ADAPTIVE, STEP, MethodChoice, drive, stepper
-from sim.dynamics.stepping.pairs import Detail, Row
+from sim.dynamics.stepping.pairs import Detail, PerCart
 from sim.dynamics.stepping.stepper import LocatedStepper, Stepper
 from sim.dynamics.stepping.story import Story
 from sim.effects.forces import acting
@@ -145,7 +145,7 @@ class Recorder:
         if impulse and (left is None or right is None):
             self.ledger.push_from_outside(impulse if left is None else -impulse)
 
-    def _now(self, t: float) -> tuple[Row, Detail]:
+    def _now(self, t: float) -> tuple[PerCart, Detail]:
         """Accelerations and forces at the end of a step: for showing, not counted."""
         run, field = self.run, self.run.field
         assert field.keep is not None
@@ -153,7 +153,7 @@ class Recorder:
         field.evaluations -= 1
         return a, field.keep.pop()
 
-    def _row(self, t: float, a: Row, detail: Detail) -> None:
+    def _row(self, t: float, a: PerCart, detail: Detail) -> None:
         run, columns = self.run, self.columns
         columns[("t",)].append(t)
         for k, cart in enumerate(self.scene.carts):
@@ -169,7 +169,7 @@ class Recorder:
             name = self.scene.carts[k].name
             columns[("E", kind, name)].append(detail.outside.get((kind, k), 0.0))
 
-    def _stored(self, push: Row) -> float:
+    def _stored(self, push: PerCart) -> float:
         """J in the contacts that push."""
         field = self.run.field
         return math.fsum(

@@ -13,7 +13,7 @@ from __future__ import annotations
 from typing import Any, ClassVar
 
 from sim.dynamics.stepping.field import Field
-from sim.dynamics.stepping.pairs import Row
+from sim.dynamics.stepping.pairs import PerCart
 from sim.dynamics.stepping.velocity_verlet import VelocityVerlet
 
 MORE = 1.0 / (2.0**VelocityVerlet.order - 1.0)
@@ -31,7 +31,7 @@ class Richardson:
     )
 
     @staticmethod
-    def step(field: Field, t: Any, s: Row, v: Row, h: Any) -> tuple[Row, Row]:
+    def step(field: Field, t: Any, s: PerCart, v: PerCart, h: Any) -> tuple[PerCart, PerCart]:
         """One step."""
         half = 0.5 * h
         coarse = VelocityVerlet.step(field, t, s, v, h)

@@ -12,7 +12,7 @@ from __future__ import annotations
 from typing import Any, ClassVar
 
 from sim.dynamics.stepping.field import Field
-from sim.dynamics.stepping.pairs import Row
+from sim.dynamics.stepping.pairs import PerCart
 
 
 class SemiImplicitEuler:
@@ -23,7 +23,7 @@ class SemiImplicitEuler:
     weights: ClassVar[tuple[float, ...]] = (1.0,)
 
     @staticmethod
-    def step(field: Field, t: Any, s: Row, v: Row, h: Any) -> tuple[Row, Row]:
+    def step(field: Field, t: Any, s: PerCart, v: PerCart, h: Any) -> tuple[PerCart, PerCart]:
         """One step."""
         a = field.accelerations(t, s, v, h)
         v = [speed + h * c for speed, c in zip(v, a, strict=True)]

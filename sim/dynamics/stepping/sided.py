@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping
 
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.stepping.methods import MethodChoice
-from sim.dynamics.stepping.pairs import Detail, Row
+from sim.dynamics.stepping.pairs import Detail, PerCart
 from sim.dynamics.stepping.recorded import Recorder
 from sim.dynamics.stepping.stepper import LocatedStepper
 from sim.scene.model import Scene
@@ -97,7 +97,7 @@ class SidedRecorder(Recorder):
             found["on", "-".join(names), names[side]] = column
         return found
 
-    def _row(self, t: float, a: Row, detail: Detail) -> None:
+    def _row(self, t: float, a: PerCart, detail: Detail) -> None:
         super()._row(t, a, detail)
         pushes = self.pushes(detail)
         for key, column in self.on.items():

@@ -7,11 +7,11 @@ towards the one at which they would rest; pressed again before that, they get ba
 from __future__ import annotations
 
 from sim.dynamics.stepping.field import Field
-from sim.dynamics.stepping.pairs import Pair, Row
+from sim.dynamics.stepping.pairs import Pair, PerCart
 from sim.laws.lookup import contact_law
 
 
-def part(field: Field, pair: Pair, s: Row, v: Row) -> float:
+def part(field: Field, pair: Pair, s: PerCart, v: PerCart) -> float:
     """From now on they are silent; returns J that they held, and keep."""
     d, rate = field.overlap(pair, s, v)
     if pair.force is None or d <= 0.0:
@@ -20,7 +20,7 @@ def part(field: Field, pair: Pair, s: Row, v: Row) -> float:
     return stored(pair, d, rate, field.memory[pair.gap])
 
 
-def reserves(field: Field, pair: Pair, s: Row, v: Row) -> tuple[float, float]:
+def reserves(field: Field, pair: Pair, s: PerCart, v: PerCart) -> tuple[float, float]:
     """m/s and m, both positive while they are silent: how fast they open, and how far they may."""
     law = contact_law(pair.contact)
     d, rate = field.overlap(pair, s, v)
@@ -28,7 +28,7 @@ def reserves(field: Field, pair: Pair, s: Row, v: Row) -> tuple[float, float]:
     return -rate, d - rest
 
 
-def end(field: Field, pair: Pair, s: Row, v: Row, *, pressed: bool) -> float:
+def end(field: Field, pair: Pair, s: PerCart, v: PerCart, *, pressed: bool) -> float:
     """They push as ever again, `pressed` or at no overlap; returns J that they get back."""
     field.spent.discard(pair.gap)
     d, rate = field.overlap(pair, s, v)

@@ -14,7 +14,7 @@ from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.impacts import Impacts
 from sim.dynamics.stepping.located import MOST_CHANGES, Key, Located
 from sim.dynamics.stepping.method import StepMethod
-from sim.dynamics.stepping.pairs import Detail, Row
+from sim.dynamics.stepping.pairs import Detail, PerCart
 from sim.dynamics.stepping.rk4 import RK4
 from sim.laws.rounding import LAST_BITS
 from sim.scene.model import Scene
@@ -30,8 +30,8 @@ class Stepper:
         self.field = self.make_field(scene, lanes)
         self.method = method
         zero = self.field.number()
-        self.s: Row = [zero for _ in scene.carts]
-        self.v: Row = [zero + cart.velocity for cart in scene.carts]
+        self.s: PerCart = [zero for _ in scene.carts]
+        self.v: PerCart = [zero + cart.velocity for cart in scene.carts]
         self.impacts = Impacts(self.field)
         self.impacts.latch(self.s, self.v)
         self.impacts.settle(-1.0, self.s, self.v)
@@ -146,7 +146,7 @@ class LocatedStepper(Stepper):
         """Ways and velocities in a step from now, by trial steps."""
         return lambda tau: self.method.step(self.field, t, self.s, self.v, tau)
 
-    def _accept(self, t: float, h: float, s: Row, v: Row) -> None:
+    def _accept(self, t: float, h: float, s: PerCart, v: PerCart) -> None:
         self.s, self.v = s, v
         if self.seen is not None:
             self.tell(t + h, h, self.method.weights)

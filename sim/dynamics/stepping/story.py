@@ -15,7 +15,7 @@ from sim.dynamics.result.events import ORDER, Event
 from sim.dynamics.result.record import Record
 from sim.dynamics.stepping.field import Field
 from sim.dynamics.stepping.impacts import Blow
-from sim.dynamics.stepping.pairs import Pair, Row
+from sim.dynamics.stepping.pairs import Pair, PerCart
 from sim.effects.forces import LooseForce
 
 Speeds = tuple[float, float]
@@ -73,12 +73,12 @@ class Story:
         self,
         t: float,
         h: float,
-        old: Row,
-        v: Row,
-        s: Row,
-        push: Row,
+        old: PerCart,
+        v: PerCart,
+        s: PerCart,
+        push: PerCart,
         impulses: list[float],
-        first: Row | None,
+        first: PerCart | None,
     ) -> None:
         """A step of h ended at t: velocities before and after it, forces now, impulses in it, and
         the forces with which it began; None where it has no length."""
@@ -111,7 +111,14 @@ class Story:
                 self.end(t, pair, v)
 
     def _begin(
-        self, t: float, h: float, pair: Pair, old: Row, v: Row, push: float, first: Row | None
+        self,
+        t: float,
+        h: float,
+        pair: Pair,
+        old: PerCart,
+        v: PerCart,
+        push: float,
+        first: PerCart | None,
     ) -> Touch:
         before, after = self._speeds(pair, old), self._speeds(pair, v)
         touch = self.touching[pair.gap] = Touch(before, approach=before[0] - before[1])
@@ -120,7 +127,7 @@ class Story:
         self._tell(t, "contact", pair, before, after, 0.0, push)
         return touch
 
-    def end(self, t: float, pair: Pair, v: Row, *, over: bool = True) -> None:
+    def end(self, t: float, pair: Pair, v: PerCart, *, over: bool = True) -> None:
         """A contact is over; or the run is, in the middle of it."""
         touch = self.touching.pop(pair.gap)
         if touch.deepest > self.record.deepest.get(pair.gap, (0.0, 0.0))[0]:
@@ -132,7 +139,7 @@ class Story:
             now = self._speeds(pair, v)
             self._tell(t, "separate", pair, touch.before, now, touch.impulse, touch.last)
 
-    def _loose(self, t: float, pair: Pair, s: Row, v: Row) -> None:
+    def _loose(self, t: float, pair: Pair, s: PerCart, v: PerCart) -> None:
         """A spring that pushes no more has fallen off."""
         one = self.loose[pair.gap]
         d, _ = self.field.overlap(pair, s, v)
@@ -140,7 +147,7 @@ class Story:
             del self.loose[pair.gap]
             self._tell(t, "separate", pair, one.before, self._speeds(pair, v), one.impulse, 0.0)
 
-    def _nearest(self, t: float, pair: Pair, s: Row, v: Row, push: float) -> None:
+    def _nearest(self, t: float, pair: Pair, s: PerCart, v: PerCart, push: float) -> None:
         """Two that never touch turn round: their greatest force."""
         d, rate = self.field.overlap(pair, s, v)
         fastest = self.closing.get(pair.gap, 0.0)
@@ -167,14 +174,14 @@ class Story:
             None if spring is None else spring.strongest,
         )
 
-    def finish(self, t: float, v: Row) -> None:
+    def finish(self, t: float, v: PerCart) -> None:
         """The end of the run."""
         for pair in self.field.pairs:
             if pair.gap in self.touching:
                 self.end(t, pair, v, over=False)
         self.record.end(t, v)
 
-    def _speeds(self, pair: Pair, v: Row) -> Speeds:
+    def _speeds(self, pair: Pair, v: PerCart) -> Speeds:
         left = 0.0 if pair.left is None else v[pair.left]
         return left, 0.0 if pair.right is None else v[pair.right]
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 from typing import Any, ClassVar
 
 from sim.dynamics.stepping.field import Field
-from sim.dynamics.stepping.pairs import Row
+from sim.dynamics.stepping.pairs import PerCart
 
 
 class VelocityVerlet:
@@ -24,7 +24,7 @@ class VelocityVerlet:
     weights: ClassVar[tuple[float, ...]] = (0.5, 0.5)
 
     @staticmethod
-    def step(field: Field, t: Any, s: Row, v: Row, h: Any) -> tuple[Row, Row]:
+    def step(field: Field, t: Any, s: PerCart, v: PerCart, h: Any) -> tuple[PerCart, PerCart]:
         """One step."""
         half = 0.5 * h
         a = field.accelerations(t, s, v, h)

@@ -16,7 +16,7 @@ from __future__ import annotations
 from typing import Any, ClassVar
 
 from sim.dynamics.stepping.field import Field
-from sim.dynamics.stepping.pairs import Row
+from sim.dynamics.stepping.pairs import PerCart
 from sim.dynamics.stepping.velocity_verlet import VelocityVerlet
 
 OUTER = 1.0 / (2.0 - 2.0 ** (1.0 / 3.0))
@@ -33,7 +33,7 @@ class Yoshida:
     )
 
     @staticmethod
-    def step(field: Field, t: Any, s: Row, v: Row, h: Any) -> tuple[Row, Row]:
+    def step(field: Field, t: Any, s: PerCart, v: PerCart, h: Any) -> tuple[PerCart, PerCart]:
         """One step."""
         for part in PARTS:
             s, v = VelocityVerlet.step(field, t, s, v, part * h)
