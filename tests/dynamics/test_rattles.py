@@ -13,7 +13,7 @@ from sim.dynamics.motion.modes import falls
 from sim.dynamics.motion.modes.falls import first_fall
 from sim.dynamics.motion.modes.rattle import phase
 from sim.dynamics.motion.modes.started import Started, grown, shape_of, swinging, swung
-from sim.dynamics.motion.power_series.series import Row
+from sim.dynamics.motion.power_series.series import SettledRow
 from sim.dynamics.motion.rows import choose
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.touching import Touching
@@ -66,7 +66,7 @@ def test_that_a_bumper_springs_back_is_known_without_a_look(
     assert first_fall(q, swinging(rates, (1.0 + 0j,)), 2.9 / w, -1.0, 1.0 + 2e-15) is None
 
 
-def random_row(seed: int) -> tuple[list[Body], list[Gap], Row]:
+def random_row(seed: int) -> tuple[list[Body], list[Gap], SettledRow]:
     """Three to five bodies, some between walls, springs over powers of ten, some locked."""
     dice = Random(seed)
     count = dice.randint(3, 5)
@@ -99,7 +99,7 @@ def random_row(seed: int) -> tuple[list[Body], list[Gap], Row]:
         gaps.append(gap)
     for k, body in enumerate(bodies[1:]):  # rates are differences of velocities
         body.v = bodies[k].v - rates[k]
-    row = Row(
+    row = SettledRow(
         inverse=[0.0 if m == float("inf") else 1 / m for m in masses],
         speeds=[b.v for b in bodies],
         overlaps=[-g.room for g in gaps],
@@ -113,7 +113,7 @@ def random_row(seed: int) -> tuple[list[Body], list[Gap], Row]:
     return bodies, gaps, row
 
 
-def exactly(row: Row, t: float) -> tuple[list[Any], list[Any], list[Any]]:
+def exactly(row: SettledRow, t: float) -> tuple[list[Any], list[Any], list[Any]]:
     """Ways, velocities and overlaps at t: the exponential of the matrix of all first derivatives.
 
     Locked contacts are springs without one: their bodies are one body.

@@ -23,10 +23,10 @@ from sim.dynamics.motion.curved_field import curved, dragged, field_of, linked
 from sim.dynamics.motion.dense_output import polynomials, scipy_method
 from sim.dynamics.motion.guards import branch_of, refuse_too_near
 from sim.dynamics.motion.power_series.polynomial import Poly, value
-from sim.dynamics.motion.power_series.series import Row
+from sim.dynamics.motion.power_series.series import SettledRow
 from sim.dynamics.motion.power_series.step import Step, slope_of
 from sim.dynamics.motion.power_series.step_ends import first_ends, found_again
-from sim.dynamics.motion.rows.now import row_of
+from sim.dynamics.motion.rows.settled_row import row_of
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.state.body import Body, Gap, kinds_of
 from sim.dynamics.state.clock import ZERO, Time
@@ -60,7 +60,7 @@ class IntegratedStep(Step):
     rates: list[Poly]  # m²/s, integrals of o'²
     drags: list[list[Poly]]  # of v², v|v|, |v|³ of each body, where there is drag
     pulls: list[Poly]  # N s, of springs and magnets; empty where there are none
-    row: Row
+    row: SettledRow
 
     def cut(self, t: float) -> IntegratedStep:
         """The step anew up to t s, so that the state there has the full order of the method."""
@@ -138,7 +138,12 @@ def integrated_group(bodies: list[Body], gaps: list[Gap], now: Time, limit: floa
 
 
 def _integrated(
-    bodies: list[Body], gaps: list[Gap], row: Row, now: Time, limit: float, first: float = 0.0
+    bodies: list[Body],
+    gaps: list[Gap],
+    row: SettledRow,
+    now: Time,
+    limit: float,
+    first: float = 0.0,
 ) -> IntegratedStep:
     """One accepted step, at most `limit` s, with its dense output; `first` [s] is tried first."""
     start = [*row.overlaps, *row.rates, *row.speeds]
@@ -179,7 +184,7 @@ def _stride(bodies: list[Body], gaps: list[Gap], limit: float) -> float | None:
     return min(stride, limit) if stride > 0.0 else None
 
 
-def _tolerances(bodies: list[Body], gaps: list[Gap], row: Row) -> list[float]:
+def _tolerances(bodies: list[Body], gaps: list[Gap], row: SettledRow) -> list[float]:
     """Absolute ones, from the greatest speed and the time of a contact at that speed.
 
     What is stored counts as the speed that it can give: where all turn back together nothing moves
@@ -210,7 +215,7 @@ def _tolerances(bodies: list[Body], gaps: list[Gap], row: Row) -> list[float]:
 
 
 def _kept(
-    bodies: list[Body], gaps: list[Gap], row: Row, dense: list[Poly], length: float
+    bodies: list[Body], gaps: list[Gap], row: SettledRow, dense: list[Poly], length: float
 ) -> IntegratedStep:
     count, n = len(gaps), len(bodies)
     over, closing, speed = dense[:count], dense[count : 2 * count], dense[2 * count : 2 * count + n]

@@ -14,7 +14,7 @@ from collections.abc import Callable
 
 from sim.dynamics.motion.friction_shares import held_groups, pushes
 from sim.dynamics.motion.locked import hold_now
-from sim.dynamics.motion.power_series.series import Row
+from sim.dynamics.motion.power_series.series import SettledRow
 from sim.dynamics.state.body import Body, Gap
 from sim.laws.contact_law import ContactLaw
 
@@ -37,7 +37,7 @@ def linked(gaps: list[Gap]) -> list[int]:
     return [k for k, gap in enumerate(gaps) if gap.links]
 
 
-def field_of(bodies: list[Body], gaps: list[Gap], row: Row) -> Field:
+def field_of(bodies: list[Body], gaps: list[Gap], row: SettledRow) -> Field:
     """f(y)."""
     count, last = len(gaps), 2 * len(gaps) + len(bodies)
     between = [_push(gap, row, k) for k, gap in enumerate(gaps)]
@@ -89,7 +89,7 @@ def field_of(bodies: list[Body], gaps: list[Gap], row: Row) -> Field:
     return f
 
 
-def _push(gap: Gap, row: Row, k: int) -> Callable[[float, float], tuple[float, float]]:
+def _push(gap: Gap, row: SettledRow, k: int) -> Callable[[float, float], tuple[float, float]]:
     """N and W at overlap and rate."""
     law, mu, branch = curved(gap), gap.mu, row.branches[k]
     if law is None:

@@ -21,9 +21,9 @@ from sim.dynamics.motion.curved_field import curved
 from sim.dynamics.motion.friction_shares import share
 from sim.dynamics.motion.guards import branch_of, push_now, refuse_too_near
 from sim.dynamics.motion.power_series.polynomial import size, value
-from sim.dynamics.motion.power_series.series import Expansion, Row
+from sim.dynamics.motion.power_series.series import Expansion, SettledRow
 from sim.dynamics.motion.power_series.step_ends import first_ends
-from sim.dynamics.motion.rows.now import row_of
+from sim.dynamics.motion.rows.settled_row import row_of
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time
 from sim.laws.contact_law import ContactLaw
@@ -75,7 +75,7 @@ def curved_group(
     return group_of(step, ends, step.length, now)
 
 
-def _silent(gaps: list[Gap], row: Row, fastest: float) -> list[int]:
+def _silent(gaps: list[Gap], row: SettledRow, fastest: float) -> list[int]:
     """Contacts of spheres that may be left out: without overlap or approach, or faint just now."""
     pushes = [push_now(gap, branch) for gap, branch in zip(gaps, row.branches, strict=True)]
     greatest = max([*map(abs, pushes), *map(abs, row.steady)])

@@ -13,7 +13,7 @@ from sim.dynamics.motion.curved_field import curved
 from sim.dynamics.motion.power_series.series import REACH, step_length
 from sim.dynamics.motion.power_series.step import Step
 from sim.dynamics.motion.rest import at_rest
-from sim.dynamics.motion.rows.now import row_of
+from sim.dynamics.motion.rows.settled_row import row_of
 from sim.dynamics.state.body import Body, Gap
 from sim.laws.branch import Branch
 

@@ -29,7 +29,7 @@ from sim.dynamics.motion.power_series.polynomial import Poly, value
 from sim.dynamics.motion.power_series.series import (
     CONVERGED,
     ORDER,
-    Row,
+    SettledRow,
     add_drag,
     is_rounding,
     root,
@@ -53,7 +53,7 @@ class RowSeries:
     """All unknowns of a row by their coefficients in s."""
 
     def __init__(
-        self, row: Row, gaps: list[Gap], clock: int | None, unit: float, silent: list[int]
+        self, row: SettledRow, gaps: list[Gap], clock: int | None, unit: float, silent: list[int]
     ) -> None:
         self.row, self.gaps, self.place, self.silent = row, gaps, clock, silent
         z = None if clock is None else math.sqrt(math.sqrt(row.overlaps[clock]))

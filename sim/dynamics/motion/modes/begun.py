@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 
 from sim.dynamics.motion.modes.shares import Swings
-from sim.dynamics.motion.power_series.series import Row, is_rounding
+from sim.dynamics.motion.power_series.series import SettledRow, is_rounding
 
 
 @dataclass(slots=True)
@@ -29,7 +29,7 @@ TERMS = 3
 """Derivatives of forces."""
 
 
-def begun_of(row: Row, found: Swings) -> Begun:
+def begun_of(row: SettledRow, found: Swings) -> Begun:
     """Of a settled row."""
     steady, branches = row.steady, row.branches
     over = [[o, r] for o, r in zip(row.overlaps, row.rates, strict=True)]

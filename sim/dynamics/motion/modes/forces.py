@@ -11,7 +11,7 @@ import math
 
 from sim.dynamics.motion.modes.modal_sum import ModalSum, plus
 from sim.dynamics.motion.modes.state import ModalState
-from sim.dynamics.motion.power_series.series import Row
+from sim.dynamics.motion.power_series.series import SettledRow
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.loads import Load
 from sim.effects.forces import at_touch
@@ -20,7 +20,7 @@ NOTHING = ModalSum(0.0, ())
 
 
 def contact_sums(
-    bodies: list[Body], gaps: list[Gap], row: Row, state: ModalState
+    bodies: list[Body], gaps: list[Gap], row: SettledRow, state: ModalState
 ) -> tuple[list[ModalSum], list[ModalSum]] | None:
     """N of each contact and of the springs across each gap; None where statics does not tell."""
     across = [_linked(gap, over) for gap, over in zip(gaps, state.over, strict=True)]
@@ -53,7 +53,7 @@ def _linked(gap: Gap, over: ModalSum) -> ModalSum:
 
 
 def _hold(
-    block: range, bodies: list[Body], row: Row, state: ModalState, total: list[ModalSum]
+    block: range, bodies: list[Body], row: SettledRow, state: ModalState, total: list[ModalSum]
 ) -> bool:
     """Fill in the locked gaps of a block."""
     still = [i for i in block if row.inverse[i] == 0.0]
@@ -69,7 +69,7 @@ def _hold(
     return True
 
 
-def _needed(i: int, bodies: list[Body], row: Row, state: ModalState) -> ModalSum:
+def _needed(i: int, bodies: list[Body], row: SettledRow, state: ModalState) -> ModalSum:
     """F − m a − b v of a body."""
     speed = state.speed[i]
     steady = ModalSum(row.steady[i], ())

@@ -18,7 +18,7 @@ from sim.dynamics.motion.modes.forces import contact_sums, others
 from sim.dynamics.motion.modes.guards import guarded
 from sim.dynamics.motion.modes.modal_sum import ModalSum, clear_until, maximum, plus
 from sim.dynamics.motion.modes.state import ModalState, modal_state
-from sim.dynamics.motion.power_series.series import Row, step_length
+from sim.dynamics.motion.power_series.series import SettledRow, step_length
 from sim.dynamics.motion.rest import QUIET
 from sim.dynamics.motion.work_accounting import book_body_forces, book_from_wall
 from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, kinds_of
@@ -202,7 +202,7 @@ NOTHING_WITHIN = 0.01
 
 
 def modal_group(
-    bodies: list[Body], gaps: list[Gap], row: Row, now: Time, limit: float
+    bodies: list[Body], gaps: list[Gap], row: SettledRow, now: Time, limit: float
 ) -> ModalGroup | None:
     """The row, settled at `now` and judged, as a sum of modes for at most `limit` s.
 

@@ -8,7 +8,7 @@ from sim.dynamics.motion.guards import guards_of, passed
 from sim.dynamics.motion.modes.forces import others
 from sim.dynamics.motion.modes.modal_sum import ModalSum, plus
 from sim.dynamics.motion.modes.state import ModalState
-from sim.dynamics.motion.power_series.series import Row
+from sim.dynamics.motion.power_series.series import SettledRow
 from sim.dynamics.state.body import Body, Gap
 from sim.laws.branch import Guard
 
@@ -16,7 +16,7 @@ from sim.laws.branch import Guard
 def guarded(
     bodies: list[Body],
     gaps: list[Gap],
-    row: Row,
+    row: SettledRow,
     state: ModalState,
     contact: list[ModalSum],
     across: list[ModalSum],

@@ -18,7 +18,7 @@ from sim.dynamics.motion.modes.falls import UndecidedError, first_fall
 from sim.dynamics.motion.modes.phase import Phase
 from sim.dynamics.motion.modes.shares import Block, Swings, swings
 from sim.dynamics.motion.modes.started import Started, Swinging, swinging
-from sim.dynamics.motion.power_series.series import Row
+from sim.dynamics.motion.power_series.series import SettledRow
 from sim.dynamics.motion.power_series.step_ends import NEGLIGIBLE, ONSET
 from sim.dynamics.state.body import Body, End, Gap
 from sim.dynamics.state.flips import NO_MOTION
@@ -38,7 +38,7 @@ WHOLE = 1e-13
 
 
 def phase(
-    bodies: list[Body], gaps: list[Gap], row: Row, limit: float
+    bodies: list[Body], gaps: list[Gap], row: SettledRow, limit: float
 ) -> tuple[Phase, list[End], float] | None:
     """The phase of a settled row, what ends it, and when [s]; None where a series is called for."""
     plain = not (row.nonlinear or any(row.linear) or any(row.links))
@@ -69,7 +69,7 @@ def phase(
     return told, *ends
 
 
-def _amplitudes(row: Row, found: Swings, begun: Begun) -> Swinging | None:
+def _amplitudes(row: SettledRow, found: Swings, begun: Begun) -> Swinging | None:
     """Of all modes, from two derivatives of each overlap; None where they do not give those."""
     second = [o[2] for o in begun.over]
     third = [o[3] for o in begun.over]
@@ -104,7 +104,7 @@ def _well_told(begun: Begun, found: Swings, modes: Swinging) -> float:
 def _told(
     bodies: list[Body],
     gaps: list[Gap],
-    row: Row,
+    row: SettledRow,
     found: Swings,
     begun: Begun,
     modes: Swinging,

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 from sim.dynamics.motion.modes.modal_sum import ModalSum, Term
 from sim.dynamics.motion.modes.normal_modes import Mode, Segment, modes
-from sim.dynamics.motion.power_series.series import Row
+from sim.dynamics.motion.power_series.series import SettledRow
 from sim.dynamics.motion.rest import Balance, segments, strains
 from sim.dynamics.state.body import Body, Gap
 
@@ -38,7 +38,7 @@ class ModalState:
     anchored: bool
 
 
-def modal_state(bodies: list[Body], gaps: list[Gap], row: Row) -> ModalState | None:
+def modal_state(bodies: list[Body], gaps: list[Gap], row: SettledRow) -> ModalState | None:
     """None where modes do not tell the motion, or not well."""
     fixed = [inv == 0.0 for inv in row.inverse]
     locked = [branch.locked for branch in row.branches]
@@ -69,7 +69,7 @@ def _segment(
     own: list[range],
     near: list[int | None],
     bodies: list[Body],
-    row: Row,
+    row: SettledRow,
     springs: tuple[list[float], list[float]],
 ) -> Segment:
     stiff, damp = ([one[k] if k is not None else 0.0 for k in near] for one in springs)
@@ -81,7 +81,7 @@ def _segment(
     )
 
 
-def _springs(row: Row) -> tuple[list[float], list[float]]:
+def _springs(row: SettledRow) -> tuple[list[float], list[float]]:
     """N/m and N s/m of every gap, contact and links."""
     bounds = [
         [link.bounds(-over) for link in links]
@@ -99,7 +99,7 @@ def _springs(row: Row) -> tuple[list[float], list[float]]:
 
 
 def _as_a_whole(
-    bodies: list[Body], row: Row, fixed: list[bool]
+    bodies: list[Body], row: SettledRow, fixed: list[bool]
 ) -> tuple[float, float, list[float]]:
     """V [m/s], A [m/s²], and what the balance of the others is left to bear [N]."""
     if any(fixed):
@@ -118,7 +118,7 @@ def _add(
     segment: Segment,
     own: list[range],
     near: list[int | None],
-    row: Row,
+    row: SettledRow,
     strained: list[float],
     whole: float,
     state: ModalState,
@@ -181,7 +181,7 @@ def _own(mode: Mode, segment: Segment) -> float:
     return math.fsum(moving + held)
 
 
-def _gives(state: ModalState, row: Row, bodies: list[Body], stiff: list[float]) -> bool:
+def _gives(state: ModalState, row: SettledRow, bodies: list[Body], stiff: list[float]) -> bool:
     """Is the sum at the beginning what the row is? In the energy that what is missing would be."""
     moving = [body.mass for body in bodies if body.mass < math.inf]
     lightest = min(moving)

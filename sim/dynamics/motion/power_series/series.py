@@ -31,7 +31,7 @@ REACH = 2.0
 
 
 @dataclass(slots=True)
-class Row:
+class SettledRow:
     """Bodies in a row with all that acts on them, at the beginning of a step.
 
     `inverse` is 1/m, 0 for what does not move; `quadratic` is signed: −quadratic v² acts.
@@ -66,7 +66,7 @@ class Expansion:
     bodies: list[Poly]
 
 
-def step_length(row: Row) -> float:
+def step_length(row: SettledRow) -> float:
     """s. A step within which the linear part of the series converges to rounding."""
     count = len(row.branches)
     stiff, damp = [], []
@@ -96,7 +96,7 @@ CONVERGED = 0.24
 """Of the radius of convergence: 0.24^26 is 8e-17."""
 
 
-def converged_step(row: Row, found: Expansion, speeds: list[Poly], longest: float) -> float:
+def converged_step(row: SettledRow, found: Expansion, speeds: list[Poly], longest: float) -> float:
     """s. For a nonlinear row: a part of the radius of convergence that the last terms show."""
     step = longest
     watched = [over for over, links in zip(found.over, row.links, strict=True) if links]
@@ -119,7 +119,7 @@ def root(x: float, n: int) -> float:
     return math.ldexp(math.ldexp(part, rest) ** (1.0 / n), whole)
 
 
-def expand(row: Row, led: list[Poly] | None = None) -> Expansion:
+def expand(row: SettledRow, led: list[Poly] | None = None) -> Expansion:
     """Series of overlaps, forces, and accelerations of all bodies (0 for what does not move).
 
     `led`: how overlaps of locked gaps change nevertheless, o'' of each; [] where they do not.
@@ -218,7 +218,7 @@ def _add_links(
     outside[before + 1] += from_left
 
 
-def add_drag(row: Row, speed: list[Poly], outside: list[float], n: int) -> None:
+def add_drag(row: SettledRow, speed: list[Poly], outside: list[float], n: int) -> None:
     """The n-th coefficients of −linear v − quadratic v²."""
     for i, v in enumerate(speed):
         drag = row.linear[i] * v[n]

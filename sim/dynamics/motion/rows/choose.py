@@ -20,7 +20,7 @@ from sim.dynamics.motion.power_series.polynomial import integral, size
 from sim.dynamics.motion.power_series.series import (
     REACH,
     Expansion,
-    Row,
+    SettledRow,
     converged_step,
     expand,
     step_length,
@@ -28,8 +28,8 @@ from sim.dynamics.motion.power_series.series import (
 from sim.dynamics.motion.power_series.step import Step
 from sim.dynamics.motion.power_series.step_ends import first_ends
 from sim.dynamics.motion.rest import at_rest, blocks
-from sim.dynamics.motion.rows.now import row_of
 from sim.dynamics.motion.rows.rounded import is_faint
+from sim.dynamics.motion.rows.settled_row import row_of
 from sim.dynamics.state.body import Body, Gap
 from sim.dynamics.state.clock import Time
 from sim.laws.branch import Branch
@@ -58,7 +58,7 @@ def coupled_group(
 
 
 def _at_rest(
-    bodies: list[Body], gaps: list[Gap], branches: list[Branch], row: Row, limit: float
+    bodies: list[Body], gaps: list[Gap], branches: list[Branch], row: SettledRow, limit: float
 ) -> Step | None:
     """The step of a row at rest; None where it is not."""
     if not gaps or not _slow(gaps, apart=any(body.load.quadratic for body in bodies)):
@@ -70,7 +70,7 @@ def _at_rest(
 
 
 def _in_modes(
-    bodies: list[Body], gaps: list[Gap], row: Row, now: Time, limit: float
+    bodies: list[Body], gaps: list[Gap], row: SettledRow, now: Time, limit: float
 ) -> ModalGroup | None:
     """A sum of modes, where the series has taken some steps and all is linear."""
     if not gaps or min(gap.plain for gap in gaps) < STEPS_FIRST:
@@ -96,7 +96,7 @@ def _in_modes(
     return found
 
 
-def _led(bodies: list[Body], gaps: list[Gap], row: Row, limit: float) -> Step | None:
+def _led(bodies: list[Body], gaps: list[Gap], row: SettledRow, limit: float) -> Step | None:
     """A longer step, where forces without linear branches lead stiff contacts that do not swing."""
     if not row.nonlinear or not gaps or min(gap.plain for gap in gaps) < STEPS_FIRST:
         return None
@@ -110,7 +110,7 @@ def _led(bodies: list[Body], gaps: list[Gap], row: Row, limit: float) -> Step | 
 
 
 def _rattles(
-    bodies: list[Body], gaps: list[Gap], row: Row, now: Time, limit: float
+    bodies: list[Body], gaps: list[Gap], row: SettledRow, now: Time, limit: float
 ) -> CoupledGroup | None:
     """One phase of a small row that has formed often, in closed form up to its event."""
     often = False
@@ -166,7 +166,7 @@ LOOK_CLOSER = 1e-9
 
 
 def _converged(
-    bodies: list[Body], gaps: list[Gap], branches: list[Branch], row: Row, limit: float
+    bodies: list[Body], gaps: list[Gap], branches: list[Branch], row: SettledRow, limit: float
 ) -> Step:
     """The series, and a step in which it has converged."""
     series = _expanded(row, bodies, branches)
@@ -209,7 +209,7 @@ def _free(bodies: list[Body], branches: list[Branch]) -> list[Body]:
     return found
 
 
-def _expanded(row: Row, bodies: list[Body], branches: list[Branch]) -> Expansion:
+def _expanded(row: SettledRow, bodies: list[Body], branches: list[Branch]) -> Expansion:
     series = expand(row)
     share(bodies, branches, row.steady, series)
     return series

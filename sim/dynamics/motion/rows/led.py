@@ -23,7 +23,7 @@ from dataclasses import replace
 from sim.dynamics.motion.power_series.polynomial import Poly, integral, size
 from sim.dynamics.motion.power_series.series import (
     Expansion,
-    Row,
+    SettledRow,
     converged_step,
     expand,
     step_length,
@@ -46,7 +46,7 @@ AGREE = 1e-16
 """Of the accelerations in the step. Rounds that differ by less give the same bits."""
 
 
-def led_step(bodies: list[Body], gaps: list[Gap], row: Row, limit: float) -> Step | None:
+def led_step(bodies: list[Body], gaps: list[Gap], row: SettledRow, limit: float) -> Step | None:
     """The longer step of a row whose stiff contacts have nothing left of their swing; else None."""
     plain, row = row, _with_springs_as_contacts(gaps, row)
     if any(body.held for body in bodies) or not (stiff := _stiff(row)):
@@ -74,7 +74,7 @@ def led_step(bodies: list[Body], gaps: list[Gap], row: Row, limit: float) -> Ste
     )  # fmt: skip
 
 
-def _with_springs_as_contacts(gaps: list[Gap], row: Row) -> Row:
+def _with_springs_as_contacts(gaps: list[Gap], row: SettledRow) -> SettledRow:
     """The same row, where springs across a gap are one branch with its contact: it leads too."""
     branches, links = list(row.branches), list(row.links)
     for k, (gap, branch, own) in enumerate(zip(gaps, row.branches, row.links, strict=True)):
@@ -98,7 +98,7 @@ def _force(branch: Branch, over: Poly) -> Poly:
     ]
 
 
-def _stiff(row: Row) -> set[int]:
+def _stiff(row: SettledRow) -> set[int]:
     """The contacts that are stiffer by far than all others, without a spring or magnet beside."""
     rates: list[tuple[float, int]] = []
     for k, (branch, links) in enumerate(zip(row.branches, row.links, strict=True)):
@@ -118,7 +118,7 @@ def _stiff(row: Row) -> set[int]:
     return {k for _, k in rates[: last + 1]}
 
 
-def _is_clamped(row: Row, rigid: list[Branch]) -> bool:
+def _is_clamped(row: SettledRow, rigid: list[Branch]) -> bool:
     """Is a rigid part of the row held at both ends? Then its forces do not follow from motion."""
     fixed = 0
     for k, branch in enumerate(rigid):
@@ -134,7 +134,7 @@ def _is_clamped(row: Row, rigid: list[Branch]) -> bool:
 
 
 def _followed(
-    slow: Row, row: Row, stiff: set[int], longest: float
+    slow: SettledRow, row: SettledRow, stiff: set[int], longest: float
 ) -> tuple[Expansion, list[Poly], float] | None:
     """All series, overlaps, and a step in which they converge; None: the rounds do not agree."""
     led: list[Poly] = [[] for _ in row.branches]
@@ -161,7 +161,7 @@ def _followed(
     return None
 
 
-def _overlap(push: Poly, row: Row, k: int) -> Poly:
+def _overlap(push: Poly, row: SettledRow, k: int) -> Poly:
     """kappa (o − rest) + gamma o' = N, from the last coefficient to the first."""
     branch = row.branches[k]
     found, after = [], 0.0
@@ -178,7 +178,7 @@ def _second(over: Poly) -> Poly:
     return [(n + 1) * (n + 2) * c for n, c in enumerate(over[2:])] + [0.0, 0.0]
 
 
-def _is_on_it(row: Row, over: list[Poly], stiff: set[int], step: float) -> bool:
+def _is_on_it(row: SettledRow, over: list[Poly], stiff: set[int], step: float) -> bool:
     """Do overlaps and rates of the stiff contacts belong to a motion without a swing?"""
     deepest = max(abs(over[k][0] - row.branches[k].rest) for k in stiff)
     longest = max(abs(row.overlaps[k]) for k in stiff)  # of a spring: its length, with its rounding

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from sim.dynamics.motion import stick_slip
 from sim.dynamics.motion.guards import push_now
-from sim.dynamics.motion.power_series.series import Row
+from sim.dynamics.motion.power_series.series import SettledRow
 from sim.dynamics.state.body import Body, Gap
 from sim.laws.branch import Branch
 
 
 def row_of(
     bodies: list[Body], gaps: list[Gap], branches: list[Branch], quadratic: list[float]
-) -> Row:
+) -> SettledRow:
     """All that acts at the beginning of a step; `quadratic` is signed."""
-    return Row(
+    return SettledRow(
         inverse=[0.0 if body.held else 1.0 / body.mass for body in bodies],
         speeds=[body.v for body in bodies],
         overlaps=[-gap.room for gap in gaps],
