@@ -23,7 +23,7 @@ class Phase(Protocol):
 
     begun: Instant
 
-    def way(self, body: Body, start: Instant, end: Instant) -> Ball:
+    def displacement(self, body: Body, start: Instant, end: Instant) -> Ball:
         """m. Between two times of the phase."""
 
     def speed(self, body: Body, now: Instant) -> Ball:
@@ -82,10 +82,10 @@ class Body:
             return slope if is_zero(pushed) else slope + pushed / self.mass
         return self.force(now) / self.mass
 
-    def way(self, start: Instant, end: Instant) -> Ball:
+    def displacement(self, start: Instant, end: Instant) -> Ball:
         """m. Between two times of its present motion."""
         if self.phase is not None:
-            return self.phase.way(self, start, end)
+            return self.phase.displacement(self, start, end)
         if self.still:
             return ZERO
         tau = end.minus(start)
@@ -124,15 +124,15 @@ class Body:
             self.a = self.acceleration(now)
 
     def _rub(self, force: Ball) -> None:
-        way = sign(self.v, said("which way a cart slides"))
-        if way == 0:
+        direction = sign(self.v, said("which way a cart slides"))
+        if direction == 0:
             if abs(force) <= self.static:
                 self.held = True
                 return
             if not abs(force) > self.static:
                 raise NotProvableError(said("whether friction holds a cart"))
-            way = sign(force, said("which way a cart begins to slide"))
-        self.sliding = way
+            direction = sign(force, said("which way a cart begins to slide"))
+        self.sliding = direction
 
 
 @dataclass(slots=True, eq=False)
@@ -202,11 +202,11 @@ class Gap:
         if self.simple:  # of two on one slope it knows that they fall alike
             tau = now.minus(self.since)
             return self.room + tau * (self.rate + self.pull * tau / 2)
-        return self.room + self.way_at(now)
+        return self.room + self.displacement_at(now)
 
-    def way_at(self, now: Instant) -> Ball:
+    def displacement_at(self, now: Instant) -> Ball:
         """m. By how much the room has grown."""
-        return self.right.way(self.since, now) - self.left.way(self.since, now)
+        return self.right.displacement(self.since, now) - self.left.displacement(self.since, now)
 
     def rate_at(self, now: Instant) -> Ball:
         """m/s."""

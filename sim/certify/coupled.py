@@ -12,7 +12,7 @@ import itertools
 from collections.abc import Callable, Iterator
 
 from sim.certify.bodies import Body, Gap
-from sim.certify.equations import Row, State
+from sim.certify.equations import RowEquations, State
 from sim.certify.instants import Instant
 from sim.certify.numbers.arithmetic import ARB, arb
 from sim.certify.numbers.balls import ZERO, Ball, NoBoundError, NotProvableError, is_zero
@@ -43,7 +43,7 @@ class CoupledPhase:
         self.bodies = tuple(body for body in self.row if body.mass is not None)
         loads = [ZERO if body.still else body.acceleration(now) for body in self.row]
         inverses = [ZERO if body.still else 1 / body.mass for body in self.row]
-        self.equations = Row(
+        self.equations = RowEquations(
             tuple(lines),
             tuple(inverses),
             tuple(loads),
@@ -102,15 +102,15 @@ class CoupledPhase:
             found = found.union(one)
         return found
 
-    def way(self, body: Body, start: Instant, end: Instant) -> Ball:
+    def displacement(self, body: Body, start: Instant, end: Instant) -> Ball:
         """m. Between two times of the motion."""
         if body.still:
             return ZERO
         j = self.row.index(body)
-        until = self._at(lambda piece: piece.way(j), end.minus(self.begun))
+        until = self._at(lambda piece: piece.displacement(j), end.minus(self.begun))
         if start is self.begun:
             return until
-        return until - self._at(lambda piece: piece.way(j), start.minus(self.begun))
+        return until - self._at(lambda piece: piece.displacement(j), start.minus(self.begun))
 
     def speed(self, body: Body, now: Instant) -> Ball:
         """m/s."""
@@ -139,7 +139,7 @@ class CoupledPhase:
         return self._at(lambda piece: piece.contact(k), tau)
 
     def jerks(self, body: Body) -> list[Ball]:
-        """Taylor coefficients of the way at the beginning, without what its load alone does."""
+        """Taylor coefficients of the displacement at the beginning, without what its load does."""
         if body.still:
             return [ZERO]
         first, j = self.pieces[0], self.row.index(body)
@@ -210,10 +210,10 @@ class CoupledPhase:
 
 def _turns(slope: Signal, at: Ball, end: Ball, doubt: Said, *, rising: bool) -> Ball | None:
     """Where a slope changes its sign next after `at`."""
-    way, curve = (1 if rising else -1), slope.slope()
+    sign, curve = (1 if rising else -1), slope.slope()
     root = first_root(
-        lambda t: way * slope.at(at + t),
-        lambda t: way * curve.at(at + t),
+        lambda t: sign * slope.at(at + t),
+        lambda t: sign * curve.at(at + t),
         (end - at).mid(),
         doubt,
     )

@@ -28,7 +28,7 @@ STILL = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class State:
-    """At one moment: overlaps [m] and rates [m/s] by gap; ways [m] and velocities by member."""
+    """Overlaps [m] and rates [m/s] by gap, displacements [m] and velocities by member."""
 
     o: tuple[Ball, ...]
     s: tuple[Ball, ...]
@@ -39,15 +39,15 @@ class State:
         """All of them, o, s, x, v."""
         return [*self.o, *self.s, *self.x, *self.v]
 
-    def like(self, numbers: Sequence[Ball]) -> State:
-        """Others in its form."""
+    def reshaped(self, numbers: Sequence[Ball]) -> State:
+        """The flat list `numbers` as a State of the same sizes."""
         g, m = len(self.o), len(self.x)
         ends = (0, g, 2 * g, 2 * g + m, 2 * (g + m))
         return State(*(tuple(numbers[a:b]) for a, b in itertools.pairwise(ends)))
 
 
 @dataclass(frozen=True)
-class Row:
+class RowEquations:
     """The equations; `pulls` of a gap is a_k − a_{k+1}, exactly nought where both are the same."""
 
     lines: tuple[tuple[Line, ...], ...]  # of each gap: a contact's first
@@ -66,8 +66,8 @@ class Row:
         dragged = greatest([ZERO, *self.drags])
         slowest = max(damped, float(dragged), STILL)
         omega = arb(stiff**0.5 or slowest)
-        ways = [self._row(k, "kappa") / omega + self._row(k, "gamma") for k in gaps]
-        return omega, greatest([omega, *(way + 2 * dragged for way in ways), dragged])
+        strengths = [self._row(k, "kappa") / omega + self._row(k, "gamma") for k in gaps]
+        return omega, greatest([omega, *(one + 2 * dragged for one in strengths), dragged])
 
     def _row(self, k: int, key: str) -> Ball:
         """How strongly the forces of a gap and its neighbours act on its rate."""
@@ -110,11 +110,11 @@ class Row:
             rows[places + j][speeds + j] = arb(1)
             mine = rows[speeds + j]
             mine[speeds + j] = -self.drags[j]
-            for k, way in ((j - 1, 1), (j, -1)):
+            for k, sign in ((j - 1, 1), (j, -1)):
                 if 0 <= k < g and not is_zero(inverse):
                     for at, key in ((k, "kappa"), (g + k, "gamma")):
                         total = sum((getattr(line, key) for line in self.lines[k]), ZERO)
-                        mine[at] = way * inverse * total
+                        mine[at] = sign * inverse * total
         for k in range(g):
             left, right = rows[speeds + k], rows[speeds + k + 1]
             rows[g + k] = [a - b for a, b in zip(left, right, strict=True)]
@@ -141,7 +141,7 @@ class Row:
     ) -> tuple[tuple[tuple[Ball, ...], ...], ...]:
         """Taylor coefficients up to `order`: of o, s, x, v."""
         rows = [start.numbers(), *self.matrix.taylor(self._first(start, balanced), order)]
-        found = start.like(list(zip(*rows, strict=True)))
+        found = start.reshaped(list(zip(*rows, strict=True)))
         return found.o, found.s, found.x, found.v
 
 

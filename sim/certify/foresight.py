@@ -127,7 +127,7 @@ class Foresight(Order):
                 lambda t: k * rate(t) + c * gap.pull_at(gap.since.after(t)),
             )
         if gap.touches:  # of what is left of the room nothing has to cancel
-            return (lambda t: gap.way_at(gap.since.after(t))), rate
+            return (lambda t: gap.displacement_at(gap.since.after(t))), rate
         rest = ZERO if is_zero(gap.memory) else gap.rest()
         return (lambda t: room(t) + rest), rate
 

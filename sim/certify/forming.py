@@ -46,7 +46,7 @@ class Forming(Foresight):
         return found
 
     def _see(self, phase: ContactPhase | CoupledPhase, gap: Gap, now: Instant, cause: str) -> None:
-        peaks.see(self.touches[gap.index], phase, now, cause)
+        peaks.note_peak(self.touches[gap.index], phase, now, cause)
 
     def leave(self, key: int, now: Instant) -> None:
         """Out of a motion: bodies and gaps are settled, and in flight."""
@@ -95,9 +95,9 @@ class Forming(Foresight):
         pushes: dict[Body, Ball] = {}
         for gap in row:
             force = self.push(gap)
-            for body, way in ((gap.left, -1), (gap.right, 1)):
+            for body, direction in ((gap.left, -1), (gap.right, 1)):
                 if body.mass is not None:
-                    pushes[body] = pushes.get(body, ZERO) + way * force
+                    pushes[body] = pushes.get(body, ZERO) + direction * force
         for body, push in pushes.items():
             if body.slips is not now or not is_zero(body.v):  # else its force is that of friction
                 held = body.held
@@ -188,11 +188,11 @@ class Forming(Foresight):
 
     def presses(self, gap: Gap, now: Instant) -> bool:
         """Do two that touch at rest to each other press at once? By the first known derivative."""
-        ways = []
+        displacements = []
         for body in (gap.left, gap.right):
             phase: Any = body.phase
             if phase is None:
-                ways.append([ZERO])
+                displacements.append([ZERO])
                 continue
             if phase.begun is not now:
                 raise NotProvableError(said("whether {pair} meet", pair=gap.shown))
@@ -201,15 +201,15 @@ class Forming(Foresight):
             terms = phase.jerks(body)
             if body.balanced is now:
                 terms[2] = ZERO
-            ways.append(terms)
+            displacements.append(terms)
         steady = (
             ZERO if b.still or b.balanced is now else b.acceleration(now)
             for b in (gap.left, gap.right)
         )
         left, right = steady
         loads = ZERO if left is right else (right - left) / 2
-        for n in range(2, max(map(len, ways))):
-            one, other = (way[n] if n < len(way) else ZERO for way in ways)
+        for n in range(2, max(map(len, displacements))):
+            one, other = (own[n] if n < len(own) else ZERO for own in displacements)
             term = other - one + (loads if n == 2 else ZERO)
             if term < 0:
                 return True

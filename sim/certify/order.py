@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from sim.certify.numbers.balls import NotProvableError
-from sim.certify.row import Next, Row
+from sim.certify.row import Next, RowState
 from sim.scene.said import Said, listed, said
 
 WORDS = {
@@ -57,7 +57,7 @@ def _strikes(one: Next) -> bool:
     return one.kind == "burst" or (one.kind == "touch" and not _soft(one))
 
 
-class Order(Row):
+class Order(RowState):
     """A row, and the order of what is foreseen in it."""
 
     def first(self, coming: list[Next]) -> Next | None:

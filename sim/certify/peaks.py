@@ -16,7 +16,7 @@ from sim.certify.touches import BUMPER, Touch
 from sim.scene.said import said
 
 
-def see(touch: Touch, phase: ContactPhase | CoupledPhase, now: Instant, cause: str) -> None:
+def note_peak(touch: Touch, phase: ContactPhase | CoupledPhase, now: Instant, cause: str) -> None:
     """The greatest force of a motion that ended at `now`; `cause`: what ended it in this gap."""
     if isinstance(phase, ContactPhase):
         _of_a_pair(touch, phase, now, cause)

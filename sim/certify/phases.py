@@ -58,17 +58,17 @@ class ContactPhase:
     def _side(self, body: Body) -> Ball:
         return self.sides[0] if body is self.left else self.sides[1]
 
-    def way(self, body: Body, start: Instant, end: Instant) -> Ball:
+    def displacement(self, body: Body, start: Instant, end: Instant) -> Ball:
         """m. Between two times of the phase."""
         if body.still:
             return ZERO
         tau, side = end.minus(start), self._side(body)
         first = self.swing.o0 if start is self.begun else self.swing.at(start.minus(self.begun))[0]
         over = self.swing.at(end.minus(self.begun))[0] - first
-        way = self.centre * tau + side * over
+        displacement = self.centre * tau + side * over
         if is_zero(self.drift):
-            return way
-        return way + self.drift * tau * (start.minus(self.begun) + tau / 2)
+            return displacement
+        return displacement + self.drift * tau * (start.minus(self.begun) + tau / 2)
 
     def between(self, gap: Gap, now: Instant) -> tuple[Ball, Ball]:
         """Room [m] and rate [m/s] of its gap."""
@@ -90,25 +90,25 @@ class ContactPhase:
 
     def grips(self, horizon: Ball) -> Iterator[tuple[Ball, str, Body]]:
         """Where a sliding body stops, or a held one is pushed away, up to `horizon` [s] after."""
-        for body, way in ((self.left, -1), (self.right, 1)):
+        for body, direction in ((self.left, -1), (self.right, 1)):
             if body.mass is None:
                 continue
             if body.held:
-                yield from self._slips(body, way, horizon)
+                yield from self._slips(body, direction, horizon)
             elif body.sliding:
                 yield from self._stops(body, horizon)
 
     def _stops(self, body: Body, horizon: Ball) -> Iterator[tuple[Ball, str, Body]]:
-        way, side = body.sliding, self._side(body)
+        direction, side = body.sliding, self._side(body)
 
         def speed(tau: Ball) -> Ball:
-            return way * (self.centre + self.drift * tau + side * self.swing.at(tau)[1])
+            return direction * (self.centre + self.drift * tau + side * self.swing.at(tau)[1])
 
         def rate(tau: Ball) -> Ball:
-            return way * (self.drift + side * self.swing.all(tau)[2])
+            return direction * (self.drift + side * self.swing.all(tau)[2])
 
         def jerk(tau: Ball) -> Ball:
-            return way * side * self.swing.all(tau)[3]
+            return direction * side * self.swing.all(tau)[3]
 
         # One that has just begun to slide is pushed by a force that grew past friction.
         begins = jerk if is_zero(body.v) else None
@@ -117,16 +117,16 @@ class ContactPhase:
         if tau is not None:
             yield tau, "halt", body
 
-    def _slips(self, body: Body, way: int, horizon: Ball) -> Iterator[tuple[Ball, str, Body]]:
+    def _slips(self, body: Body, direction: int, horizon: Ball) -> Iterator[tuple[Ball, str, Body]]:
         load = body.force(self.begun)
         doubt = said("whether friction holds a cart in the contact of {pair}", pair=self.gap.shown)
         for end in (1, -1):
 
             def room(tau: Ball, end: int = end) -> Ball:
-                return body.static - end * (load + way * self.swing.force(tau)[0])
+                return body.static - end * (load + direction * self.swing.force(tau)[0])
 
             def rate(tau: Ball, end: int = end) -> Ball:
-                return -end * way * self.swing.force(tau)[1]
+                return -end * direction * self.swing.force(tau)[1]
 
             tau = first_root(room, rate, horizon, doubt)
             if tau is not None:

@@ -94,10 +94,10 @@ class Releases(Contacts):
         left, right = gap.left, gap.right
         mu, centre = reduced_mass(left, right), common_velocity(left, right)
         apart = (gap.rate * gap.rate + 2 * burst.energy / mu).sqrt()
-        for body, way in ((left, -1), (right, 1)):
+        for body, direction in ((left, -1), (right, 1)):
             body.held, body.sliding = False, 0
             if body.mass is not None:
-                body.v = centre + way * mu / body.mass * apart
+                body.v = centre + direction * mu / body.mass * apart
         gap.rate = apart
 
     def _go_on_after(self, gap: Gap, pressed: list[Gap], now: Instant) -> None:

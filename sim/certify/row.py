@@ -50,8 +50,8 @@ def both_called(scene: Scene, gap: int) -> tuple[str, str]:
     return one, other
 
 
-class Row:
-    """A scene on its way from 0 to its end."""
+class RowState:
+    """Bodies and gaps of a scene at the last time of each, and what was told so far."""
 
     def __init__(self, inputs: Inputs) -> None:
         self.inputs, self.scene = inputs, inputs.scene
@@ -107,12 +107,12 @@ class Row:
     def _state(self, t: float) -> State:
         """By motions that began before t; of one that perhaps did not, from its beginning on."""
         now, places, speeds = instant(t), [], []
-        for way, body in zip(self.moved, self.bodies, strict=True):
+        for displacement, body in zip(self.moved, self.bodies, strict=True):
             then = now
             if not upper(body.begun.ball) <= Fraction(t):
                 tau = upper(now.minus(body.begun))
                 then = body.begun.after(between(Fraction(0), max(tau, Fraction(0))))
-            places.append(way + body.way(body.begun, then))
+            places.append(displacement + body.displacement(body.begun, then))
             speeds.append(body.speed(then))
         return places, speeds
 
@@ -136,9 +136,9 @@ class Row:
                 gap.spent = False
         for body in bodies:
             if body.begun is not now:
-                way, v = body.way(body.begun, now), body.speed(now)
+                displacement, v = body.displacement(body.begun, now), body.speed(now)
                 for k in body.carts:
-                    self.moved[k] = self.moved[k] + way
+                    self.moved[k] = self.moved[k] + displacement
                 body.v, body.begun = v, now
 
     def fly(self, bodies: Iterable[Body], now: Instant) -> None:

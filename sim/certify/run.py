@@ -1,4 +1,15 @@
-"""The run in balls: the provably first event, its consequences, and so on to the end."""
+"""The run in balls: the provably first event, its consequences, and so on to the end.
+
+A run is built in seven classes, each on the one before:
+
+    RowState    bodies and gaps at one moment, settled from one event to the next
+    Order       which of all that may happen next is first
+    Foresight   what is still to come of gaps, of sliding carts and of switches
+    Forming     which motion moves what touches, and how one ends before its time
+    Contacts    what a touch and the end of a contact change
+    Releases    what exploders do
+    BallRun     the loop over all of it
+"""
 
 from __future__ import annotations
 

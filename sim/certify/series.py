@@ -23,7 +23,7 @@ from collections.abc import Collection
 from functools import cache
 from math import lgamma, log
 
-from sim.certify.equations import Row, State, greatest
+from sim.certify.equations import RowEquations, State, greatest
 from sim.certify.numbers.arithmetic import arb, ctx
 from sim.certify.numbers.balls import UNIT, ZERO, Ball, is_zero
 from sim.certify.signals import DERIVATIVES, Signal
@@ -40,7 +40,7 @@ class Piece:
 
     def __init__(
         self,
-        row: Row,
+        row: RowEquations,
         start: State,
         length: Ball,
         omega: Ball,
@@ -88,7 +88,7 @@ class Piece:
         """v of a member."""
         return Signal(self.v[j], tuple(self.omega * tail for tail in self.tails))
 
-    def way(self, j: int) -> Signal:
+    def displacement(self, j: int) -> Signal:
         """x of a member: how far it has gone."""
         return Signal(self.x[j], self.tails)
 
@@ -100,7 +100,7 @@ class Piece:
         return State(
             tuple(self.overlap(k, place).at(tau) for k in gaps),
             tuple(self.overlap(k, rate).at(tau) for k in gaps),
-            tuple(self.way(j).at(tau) for j in members),
+            tuple(self.displacement(j).at(tau) for j in members),
             tuple(self.speed(j).at(tau) for j in members),
         )
 

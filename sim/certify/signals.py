@@ -55,7 +55,7 @@ class Signal:
 def total(signals: list[tuple[int, Signal]], constant: Ball) -> Signal:
     """constant + Σ sign × signal, of one piece."""
     length = len(signals[0][1].terms)
-    terms = [sum((way * one.terms[n] for way, one in signals), ZERO) for n in range(length)]
+    terms = [sum((sign * one.terms[n] for sign, one in signals), ZERO) for n in range(length)]
     terms[0] = terms[0] + constant
     tails = zip(*(one.tails for _, one in signals), strict=True)
     return Signal(tuple(terms), tuple(sum(parts, ZERO) for parts in tails))

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from sim.certify.equations import Row, State
+from sim.certify.equations import RowEquations, State
 from sim.certify.numbers.arithmetic import arb
 from sim.certify.numbers.balls import ZERO, Ball
 from sim.certify.numbers.matrices import Matrix
@@ -26,7 +26,9 @@ class Transport:
     factors, log p, and not with e^p as in Φ (Φ (… Φ)).
     """
 
-    def __init__(self, row: Row, start: State, length: Ball, omega: Ball, rate: Ball) -> None:
+    def __init__(
+        self, row: RowEquations, start: State, length: Ball, omega: Ball, rate: Ball
+    ) -> None:
         # overlaps are counted from where a gap has no force: less is left to cancel
         self.rests = tuple(together(lines).rest for lines in row.lines)
         row = replace(row, lines=tuple(map(_moved, row.lines, self.rests)))
@@ -39,17 +41,17 @@ class Transport:
         places = range(2 * len(start.o), 2 * len(start.o) + len(start.x))
         columns = []
         for number in range(size):
-            unit = start.like([arb(1) if k == number else ZERO for k in range(size)])
+            unit = start.reshaped([arb(1) if k == number else ZERO for k in range(size)])
             if number not in places:  # where a body is matters to nothing
                 unit = Piece(alone, unit, length, omega, rate).end()
             columns.append([*unit.numbers(), ZERO])
-        zero = start.like([ZERO] * size)
+        zero = start.reshaped([ZERO] * size)
         columns.append([*Piece(row, zero, length, omega, rate).end().numbers(), arb(1)])
         self.powers = {1: Matrix(list(zip(*columns, strict=True)))}
 
     def state(self, p: int) -> State:
         """Where piece p begins."""
-        found = self.start.like(self._power(p).of([*self.start.numbers(), arb(1)]))
+        found = self.start.reshaped(self._power(p).of([*self.start.numbers(), arb(1)]))
         return replace(found, o=_added(found.o, self.rests))
 
     def _power(self, p: int) -> Matrix:

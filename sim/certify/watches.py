@@ -70,16 +70,16 @@ def swing_ends(phase: ContactPhase, horizon: Ball) -> Iterator[tuple[Ball, str]]
     doubt = said("when the spring between {pair} has its full length", pair=gap.shown)
     rests = [(one.rest, 1, "fall", doubt) for one in gap.loose]  # no swing goes on after it
     rests.append((ZERO, -1, "touch", said("whether {pair} meet", pair=gap.shown)))
-    for rest, way, cause, doubt in rests:
+    for rest, sign, cause, doubt in rests:
 
-        def above(tau: Ball, rest: Ball = rest, way: int = way) -> Ball:
-            return way * (swing.at(tau)[0] - rest)
+        def above(tau: Ball, rest: Ball = rest, sign: int = sign) -> Ball:
+            return sign * (swing.at(tau)[0] - rest)
 
-        def rate(tau: Ball, way: int = way) -> Ball:
-            return way * swing.at(tau)[1]
+        def rate(tau: Ball, sign: int = sign) -> Ball:
+            return sign * swing.at(tau)[1]
 
-        def curve(tau: Ball, way: int = way) -> Ball:
-            return way * swing.all(tau)[2]
+        def curve(tau: Ball, sign: int = sign) -> Ball:
+            return sign * swing.all(tau)[2]
 
         begins = None
         if cause == "touch" and is_zero(gap.room):  # they part, or nothing is known
@@ -102,25 +102,25 @@ def grips(row: list[Body], gaps: list[Gap], now: Instant, silent: set[Body]) -> 
                 "whether friction holds a cart in the contact of {pair}", pair=_near(gaps, j)
             )
             load = body.force(now)
-            for way in (1, -1):
-                yield Watch(_room(len(gaps), body, j, load, way), "slip", doubt, body=body)
+            for direction in (1, -1):
+                yield Watch(_room(len(gaps), body, j, load, direction), "slip", doubt, body=body)
         elif body.sliding and body not in silent:
             doubt = said("whether a cart stops in the contact of {pair}", pair=_near(gaps, j))
 
-            def speed(piece: Piece, j: int = j, way: int = body.sliding) -> Signal:
-                return total([(way, piece.speed(j))], ZERO)
+            def speed(piece: Piece, j: int = j, direction: int = body.sliding) -> Signal:
+                return total([(direction, piece.speed(j))], ZERO)
 
             yield Watch(speed, "halt", doubt, body=body)
 
 
-def _room(gaps: int, body: Body, j: int, load: Ball, way: int) -> Callable[[Piece], Signal]:
-    """What friction can still hold against a push to the right (way 1) or the left, N."""
+def _room(gaps: int, body: Body, j: int, load: Ball, direction: int) -> Callable[[Piece], Signal]:
+    """What friction can still hold against a push to the right (direction 1) or the left, N."""
 
     def room(piece: Piece) -> Signal:
-        pushes = [(-way, piece.force(j - 1))] if j else []
+        pushes = [(-direction, piece.force(j - 1))] if j else []
         if j < gaps:
-            pushes.append((way, piece.force(j)))
-        return total(pushes, body.static - way * load)
+            pushes.append((direction, piece.force(j)))
+        return total(pushes, body.static - direction * load)
 
     return room
 

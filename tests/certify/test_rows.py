@@ -16,7 +16,7 @@ from flint import arb, ctx
 from mpmath import expm, matrix, mp, mpf
 
 from sim.certify.certificate import certify, document
-from sim.certify.equations import Row, State
+from sim.certify.equations import RowEquations, State
 from sim.certify.numbers.balls import ZERO, bounds, exact
 from sim.certify.oscillation import Line
 from sim.certify.series import Piece
@@ -40,7 +40,7 @@ def _precision() -> Iterator[None]:
     ctx.prec = before
 
 
-def row(seed: int) -> tuple[Row, State, list[list[float]]]:
+def row(seed: int) -> tuple[RowEquations, State, list[list[float]]]:
     """Three bodies, two gaps, all numbers doubles: the same as matrix of y = (x, v, 1)."""
     dice = Random(seed)
     k = [dice.uniform(50, 500) for _ in range(2)]
@@ -58,7 +58,7 @@ def row(seed: int) -> tuple[Row, State, list[list[float]]]:
         tuple(map(exact, v)),
     )
     pulls = tuple(exact(load[j]) - exact(load[j + 1]) for j in range(2))
-    found = Row(
+    found = RowEquations(
         lines, tuple(map(exact, light)), tuple(map(exact, load)), pulls, tuple(map(exact, drag))
     )
     return found, start, [k, c, rest, light, load, drag, x, v]
@@ -98,10 +98,10 @@ def test_a_piece_holds_the_exponential_of_its_matrix(seed: int, bits: int) -> No
             tau = float(share * float(length))
             end = truth(numbers, mpf(tau))
             for j in range(3):
-                way, speed = piece.way(j).at(exact(tau)), piece.speed(j).at(exact(tau))
+                way, speed = piece.displacement(j).at(exact(tau)), piece.speed(j).at(exact(tau))
                 assert way.contains(arb(mp.nstr(end[j] - mpf(numbers[6][j]), 75)))
                 assert speed.contains(arb(mp.nstr(end[3 + j], 75)))
-                slope = piece.way(j).slope().at(exact(tau))
+                slope = piece.displacement(j).slope().at(exact(tau))
                 assert slope.contains(arb(mp.nstr(end[3 + j], 75)))
 
 
