@@ -18,7 +18,7 @@ ROUNDING = 4e-15
 
 
 def one_way(w0: Any, push: Any, gamma: Any, kappa: Any, t: Any) -> tuple[Any, Any]:
-    """Way and speed by cosh and sinh of a root that may be imaginary, in many digits."""
+    """Displacement and speed by cosh and sinh of a root that may be imaginary, in many digits."""
     w0, push, gamma, kappa, t = map(mpmath.mpf, (w0, push, gamma, kappa, t))
     omega = mpmath.sqrt(mpmath.mpc(gamma**2 / 4 + kappa * push))
     cosh, sinh = mpmath.cosh(omega * t), mpmath.sinh(omega * t) / omega
@@ -33,10 +33,10 @@ def in_forty_digits(course: Driven, t: float) -> tuple[Any, Any]:
     numbers = (first.gamma, first.kappa)
     if t <= course.turn:
         x, w = one_way(first.w0, first.push, *numbers, t)
-        return course.way * x, course.way * w
+        return course.direction * x, course.direction * w
     there, _ = one_way(first.w0, first.push, *numbers, course.turn)
     x, w = one_way(0, -first.push, *numbers, mpmath.mpf(t) - mpmath.mpf(course.turn))
-    return course.way * (there - x), -course.way * w
+    return course.direction * (there - x), -course.direction * w
 
 
 @pytest.mark.parametrize("seed", range(30))

@@ -170,7 +170,9 @@ def test_a_phase_is_the_exponential_of_its_matrix(seed: int) -> None:
             fastest = max(*map(abs, row.speeds), *map(abs, speeds))
             for i in range(len(bodies)):
                 assert abs(told.velocity(i, t) - speeds[i]) <= CLOSE * fastest
-                assert abs(told.way(i, t) - ways[i]) <= CLOSE * max(fastest * t, *map(abs, ways))
+                assert abs(told.displacement(i, t) - ways[i]) <= CLOSE * max(
+                    fastest * t, *map(abs, ways)
+                )
             for k in range(len(gaps)):
                 assert abs(told.overlap(k, t)[0] - over[k]) <= CLOSE * max(row.overlaps)
 

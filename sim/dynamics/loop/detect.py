@@ -29,7 +29,7 @@ PROBES = tuple(10.0 ** (-0.5 * n) for n in range(12, -1, -1))
 that is known tells whether the one is being pushed into the other, or away."""
 
 KNOWN = 1e-15
-"""Of the way that the faster one goes up to the horizon, and of the swing that a formula tells its
+"""Of how far the faster one goes up to the horizon, and of the swing that a formula tells its
 place from. Less room than that has no sign."""
 
 CLEARLY = 1e4
@@ -134,7 +134,7 @@ def _fastest(gap: Gap, now: Time, horizon: float) -> float:
 
 
 def _swing(body: Body) -> float:
-    """m. The lengths whose difference a closed form of a pair tells as the body's way."""
+    """m. The lengths whose difference a closed form of a pair tells as where the body went."""
     motion = body.motion
     if isinstance(motion, PairContact):
         return abs(motion.side(body)) * motion.greatest_overlap()

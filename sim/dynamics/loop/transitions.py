@@ -43,7 +43,7 @@ def carry_out_ends(
         if end.cause == "halt":
             _halt(motion, end.k)
         elif end.cause == "slip":
-            motion.bodies[end.k].slips = end.way
+            motion.bodies[end.k].slips = end.direction
         else:
             gap = motion.members[end.k]
             if end.cause == "touch" and end_negligible_approach(gap, least, ledger):

@@ -1,6 +1,6 @@
 """Tier 3: what has neither a closed form nor a power series is integrated, with located events.
 
-    y = overlaps, their rates, velocities, ways, impulses and losses of the contacts,
+    y = overlaps, their rates, velocities, displacements, impulses and losses of the contacts,
         integrals of the squares of the rates; of v², v|v| and |v|³ where there is drag;
         impulses of springs and magnets where there are any
     y' = f(y) by an embedded Runge-Kutta method of order 8 (Dormand & Prince, scipy's DOP853)
@@ -38,7 +38,7 @@ RELATIVE = 1e-12
 """Error per step, relative: a hundred steps of a contact stay within 1e-10."""
 
 SMALL = 1e-13
-"""The same relative to the greatest speed, and to the way gone in a contact at that speed."""
+"""The same relative to the greatest speed, and to the displacement in a contact at that speed."""
 
 SLOWEST = 1e-6
 """m/s. Stands for the greatest speed where nothing moves."""
@@ -200,15 +200,19 @@ def _tolerances(bodies: list[Body], gaps: list[Gap], row: SettledRow) -> list[fl
     speed = max([abs(v) for v in (*row.speeds, *row.rates, *stored)], default=0.0) or SLOWEST
     laws = [gap.law for gap in gaps if gap.law is not None and not gap.law.linear]
     stiff = max([law.stiffness for law in laws], default=1.0)
-    way = speed * (lightest**2 / (stiff**2 * speed)) ** 0.2
+    displacement = speed * (lightest**2 / (stiff**2 * speed)) ** 0.2
     return (
-        [SMALL * way] * count
+        [SMALL * displacement] * count
         + [SMALL * speed] * (count + len(bodies))
-        + [SMALL * way] * len(bodies)
+        + [SMALL * displacement] * len(bodies)
         + [SMALL * lightest * speed] * count
         + [SMALL * lightest * speed * speed] * count
-        + [SMALL * way * speed] * count
-        + [SMALL * way * speed, SMALL * way * speed, SMALL * way * speed * speed]
+        + [SMALL * displacement * speed] * count
+        + [
+            SMALL * displacement * speed,
+            SMALL * displacement * speed,
+            SMALL * displacement * speed * speed,
+        ]
         * len(dragged(bodies))
         + [SMALL * lightest * speed] * len(linked(gaps))
     )

@@ -81,7 +81,7 @@ class CoupledGroup:
         """m. How far a body goes between two times within the step."""
         i, step = self._place(body), self.step
         a, b = elapsed(self.begun, start), elapsed(self.begun, end)
-        return step.way(i, b) - (step.way(i, a) if a != 0.0 else 0.0)
+        return step.displacement(i, b) - (step.displacement(i, a) if a != 0.0 else 0.0)
 
     def velocity(self, body: Body, now: Time) -> float:
         """m/s."""

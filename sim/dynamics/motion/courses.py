@@ -136,8 +136,8 @@ class Slowing:
         """x, v, a."""
         pace = self.kappa * abs(self.v0) * t
         v = self.v0 / (1.0 + pace)
-        way = math.copysign(math.log1p(pace) / self.kappa, self.v0)
-        return way, v, -self.kappa * v * abs(v)
+        displacement = math.copysign(math.log1p(pace) / self.kappa, self.v0)
+        return displacement, v, -self.kappa * v * abs(v)
 
     def marks(self, end: float) -> list[float]:
         """Whenever the velocity has fallen to a half."""

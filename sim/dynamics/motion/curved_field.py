@@ -1,6 +1,6 @@
 """The equations of a row in which some contact has a curved law: f(y) for an adaptive method.
 
-    y = overlaps, their rates, velocities, ways, impulses and losses of the contacts,
+    y = overlaps, their rates, velocities, displacements, impulses and losses of the contacts,
         integrals of the squares of the rates; of v², v|v| and |v|³ where there is drag;
         impulses of springs and magnets where there are any
 

@@ -124,8 +124,8 @@ class CurvedPair:
     def shift(self, body: Body, start: Time, end: Time) -> float:
         """m. How far a body goes between two times in the contact."""
         a, b = elapsed(self.begun, start), elapsed(self.begun, end)
-        way = self.course.at(b)[0] - self.course.at(a)[0]
-        return self.velocity_of_centre * (b - a) + self.side(body) * way
+        stretched = self.course.at(b)[0] - self.course.at(a)[0]
+        return self.velocity_of_centre * (b - a) + self.side(body) * stretched
 
     def velocity(self, body: Body, now: Time) -> float:
         """m/s. Unchanged to the last bit while d' is; after a whole contact v' = V + e (V − v)."""

@@ -56,7 +56,7 @@ class OneWay:
         object.__setattr__(self, "omega", math.sqrt(abs(square)))
 
     def at(self, t: float) -> tuple[float, float]:
-        """Way [m] and w [m/s]."""
+        """Displacement [m] and w [m/s]."""
         if t == 0.0:
             return 0.0, self.w0
         if self._haste() * t < SHORT:
@@ -88,8 +88,8 @@ class OneWay:
             terms.append((slower * terms[n] + bent * square) / (n + 1))
             if abs(terms[n]) <= faint and abs(terms[n + 1]) <= faint:
                 break
-        way = math.fsum(map(truediv, terms, count(1)))
-        return way * t, math.fsum(terms)
+        displacement = math.fsum(map(truediv, terms, count(1)))
+        return displacement * t, math.fsum(terms)
 
     def halt(self) -> float:
         """s to w = 0; inf if never."""
@@ -110,7 +110,7 @@ class Driven:
     """The course of a body (`flight.Course`): one way, and back from where it is turned."""
 
     first: OneWay
-    way: int  # direction of the first
+    direction: int  # of the first
     turn: float = field(init=False)  # s
     back: OneWay = field(init=False)
     sparse: bool = False
@@ -126,7 +126,7 @@ class Driven:
     @property
     def law(self) -> tuple[float, float, float]:
         """Of v'."""
-        return self.way * self.first.push, self.first.gamma, self.first.kappa
+        return self.direction * self.first.push, self.first.gamma, self.first.kappa
 
     def at(self, t: float) -> tuple[float, float, float]:
         """x, v, a."""
@@ -140,10 +140,14 @@ class Driven:
     def _at(self, t: float) -> tuple[float, float, float]:
         if t <= self.turn:
             x, w = self.first.at(t)
-            return self.way * x, self.way * w, self.way * _slowed(self.first, w)
+            return self.direction * x, self.direction * w, self.direction * _slowed(self.first, w)
         there, _ = self.first.at(self.turn)
         x, w = self.back.at(t - self.turn)
-        return self.way * (there - x), -self.way * w, -self.way * _slowed(self.back, w)
+        return (
+            self.direction * (there - x),
+            -self.direction * w,
+            -self.direction * _slowed(self.back, w),
+        )
 
     def halt(self) -> float:
         """s to v = 0; inf if never."""
@@ -167,5 +171,5 @@ def _slowed(one: OneWay, w: float) -> float:
 
 def driven(v: float, a: float, gamma: float, kappa: float) -> Driven:
     """From v [m/s] under a [m/s²] and drag, kappa > 0."""
-    way = 1 if v > 0.0 or (v == 0.0 and a > 0.0) else -1
-    return Driven(OneWay(abs(v), way * a, gamma, kappa), way)
+    direction = 1 if v > 0.0 or (v == 0.0 and a > 0.0) else -1
+    return Driven(OneWay(abs(v), direction * a, gamma, kappa), direction)

@@ -109,15 +109,15 @@ class Flight:
     def book(self, accounts: Accounts, t: float) -> None:
         """What drag took follows from the change of velocity and of kinetic energy."""
         load, course, mass = self.load, self.course, self.body.mass
-        way, v, _ = course.at(t)
+        displacement, v, _ = course.at(t)
         force = load.steady - self.sliding * load.kinetic
         slowed = force * t - mass * (v - self.v0)  # N s, taken by drag
-        taken = force * way - 0.5 * mass * (v - self.v0) * (v + self.v0)  # J
+        taken = force * displacement - 0.5 * mass * (v - self.v0) * (v + self.v0)  # J
         total = load.linear + load.quadratic
         for one in load.forces:
             share = (one.linear + one.quadratic) / total if total else 0.0  # or all of one kind
             accounts.push_from_outside(one.steady * t - share * slowed, one.kind)
-            accounts.work(one.kind, one.steady * way - share * taken)
+            accounts.work(one.kind, one.steady * displacement - share * taken)
         if load.kinetic:
             accounts.push_from_outside(-self.sliding * load.kinetic * t, FRICTION)
-            accounts.work(FRICTION, -self.sliding * load.kinetic * way)
+            accounts.work(FRICTION, -self.sliding * load.kinetic * displacement)

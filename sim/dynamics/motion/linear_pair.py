@@ -75,8 +75,8 @@ class LinearPair:
         """Displacement [m], v [m/s], a [m/s²] of the body with that share."""
         o, rate, a, _ = self.between.at(tau)
         v0, drift = self.drift
-        way = (v0 + 0.5 * drift * tau) * tau + side * (o - self.between.o0)
-        return way, v0 + drift * tau + side * rate, drift + side * a
+        displacement = (v0 + 0.5 * drift * tau) * tau + side * (o - self.between.o0)
+        return displacement, v0 + drift * tau + side * rate, drift + side * a
 
     def shift(self, body: Body, start: Time, end: Time) -> float:
         """m. How far a body goes between two times in the phase."""
@@ -156,9 +156,9 @@ class LinearPair:
         """Impulses from outside and work, by name."""
         for body in self.bodies:
             if body.carts and body.mass < math.inf and body.load.forces:
-                way = self.state(self.side(body), t)[0]
+                displacement = self.state(self.side(body), t)[0]
                 square = self.between.damped(t) if self.drag else 0.0
-                book_body_forces(accounts, body.load, t, way, (square, 0.0, 0.0))
+                book_body_forces(accounts, body.load, t, displacement, (square, 0.0, 0.0))
         gap = self.members[0]
         for link in gap.links:
             if link.damping():

@@ -1,7 +1,7 @@
 """What a motion did to bodies under effects, booked by name: impulses from outside, and work.
 
 steady      F t            F s
-linear      −b s           −b ∫v² dt          s [m] is the way, t [s] the time
+linear      −b s           −b ∫v² dt          s [m] is the displacement, t [s] the time
 quadratic   −c ∫v|v| dt    −c ∫|v|³ dt
 friction    −μN t          −μN |s|            held: the impulse of all others, no work
 """
@@ -19,13 +19,17 @@ from sim.effects.forces import FRICTION
 
 
 def book_body_forces(
-    accounts: Accounts, load: Load, time: float, way: float, squares: tuple[float, float, float]
+    accounts: Accounts,
+    load: Load,
+    time: float,
+    displacement: float,
+    squares: tuple[float, float, float],
 ) -> None:
     """Every force on a body by name. squares: ∫v² dt, ∫v|v| dt, ∫|v|³ dt."""
     for one in load.forces:
-        impulse = one.steady * time - one.linear * way - one.quadratic * squares[1]
+        impulse = one.steady * time - one.linear * displacement - one.quadratic * squares[1]
         accounts.push_from_outside(impulse, one.kind)
-        work = one.steady * way - one.linear * squares[0] - one.quadratic * squares[2]
+        work = one.steady * displacement - one.linear * squares[0] - one.quadratic * squares[2]
         accounts.work(one.kind, work)
 
 
@@ -35,14 +39,14 @@ def book_step(accounts: Accounts, step: Step, t: float) -> None:
         load = body.load
         if not body.carts or not (load.forces or load.grips):
             continue
-        way = step.way(i, t)
-        book_body_forces(accounts, load, t, way, step.squares(i, t))
+        displacement = step.displacement(i, t)
+        book_body_forces(accounts, load, t, displacement, step.squares(i, t))
         if body.held:
             accounts.push_from_outside(-step.others_impulse(i, t), FRICTION)
         elif load.kinetic and body.sliding:
             force = step.steady[i] - load.steady
             accounts.push_from_outside(force * t, FRICTION)
-            accounts.work(FRICTION, force * way)
+            accounts.work(FRICTION, force * displacement)
     for k, gap in enumerate(step.gaps):
         for link in gap.links:
             damping = link.damping()

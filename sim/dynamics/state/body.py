@@ -28,12 +28,12 @@ from sim.scene.model import Contact
 class End:
     """What ended a motion, in which of its gaps (or, of halt and slip, to which of its bodies).
 
-    `way`: to the right or to the left, of a slip.
+    `direction`: 1 to the right, −1 to the left, of a slip.
     """
 
     cause: Cause
     k: int
-    way: int = 0
+    direction: int = 0
 
 
 PeakSoFar = tuple[float, float, float, tuple[float, float]]

@@ -182,12 +182,12 @@ class RowSeries:
         """Integrals of v², v|v| and |v|³, as far as drag asks for them."""
         if not (body.load.linear or body.load.quadratic):
             return []
-        square, way = _square(self.v[i]), float(body.sliding)
+        square, direction = _square(self.v[i]), float(body.sliding)
         cube = _product(square, self.v[i]) if body.load.quadratic else [0.0]
         return [
             self._over_time(square),
-            self._over_time([way * c for c in square]),
-            self._over_time([way * c for c in cube]),
+            self._over_time([direction * c for c in square]),
+            self._over_time([direction * c for c in cube]),
         ]
 
     def _over_time(self, p: Poly) -> Poly:

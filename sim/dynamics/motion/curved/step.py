@@ -80,7 +80,7 @@ class CurvedStep(Step):
                 total = [a + sign * b for a, b in zip(total, self.push(k), strict=True)]
         return total
 
-    def way(self, i: int, t: float) -> float:
+    def displacement(self, i: int, t: float) -> float:
         """m that body i has gone."""
         return value(self.path[i], self.own.of(t))
 
@@ -95,8 +95,8 @@ class CurvedStep(Step):
 
     def excess(self, i: int, a: float, dt: float) -> float:
         """m. Displacement of body i from a s on, beyond that at the velocity there."""
-        way = self.way(i, a + dt) - (self.way(i, a) if a else 0.0)
-        return way - self.velocity(i, a) * dt
+        displacement = self.displacement(i, a + dt) - (self.displacement(i, a) if a else 0.0)
+        return displacement - self.velocity(i, a) * dt
 
     def speeds(self, i: int, t: float) -> tuple[float, float]:
         """m/s. Least and greatest velocity of body i up to t."""

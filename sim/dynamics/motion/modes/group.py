@@ -168,16 +168,16 @@ class ModalGroup:
             load, speed = body.load, self.sums.speed[i]
             if not body.carts or not (load.forces or load.grips):
                 continue
-            way = speed.integral(t)
+            displacement = speed.integral(t)
             square = speed.square_integral(t) if load.linear else 0.0
-            book_body_forces(accounts, load, t, way, (square, 0.0, 0.0))
+            book_body_forces(accounts, load, t, displacement, (square, 0.0, 0.0))
             if body.held:
                 held = others(i, load, self.contact, self.across)
                 accounts.push_from_outside(-held.integral(t), FRICTION)
             elif load.kinetic and body.sliding:
                 force = self.steady[i] - load.steady
                 accounts.push_from_outside(force * t, FRICTION)
-                accounts.work(FRICTION, force * way)
+                accounts.work(FRICTION, force * displacement)
         for k, gap in enumerate(self.members):
             for link in gap.links:
                 if damping := link.damping():

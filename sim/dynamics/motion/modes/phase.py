@@ -50,7 +50,7 @@ class Phase(Step):
         o = self.over[k]
         return Started(o[1], o[2], o[3], self.found.closing[k])
 
-    def way(self, i: int, t: float) -> float:
+    def displacement(self, i: int, t: float) -> float:
         """m that body i has gone."""
         return self.speeds_of[i].integral(t, self.at(t))
 
@@ -69,8 +69,8 @@ class Phase(Step):
         if a == 0.0:
             v = self.speeds_of[i]
             return Started(0.0, v.slope, v.bend, v.shape).integral(dt, self.at(dt))
-        before = self.way(i, a) if a else 0.0
-        return self.way(i, a + dt) - before - self.velocity(i, a) * dt
+        before = self.displacement(i, a) if a else 0.0
+        return self.displacement(i, a + dt) - before - self.velocity(i, a) * dt
 
     def speeds(self, i: int, t: float) -> tuple[float, float]:
         """m/s. Least and greatest velocity of body i up to t."""

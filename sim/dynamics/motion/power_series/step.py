@@ -55,7 +55,7 @@ class Step:
         """What falls to zero where a guard of gap k has its event."""
         return along(self.gaps[k], guard, self.over[k], self.contact[k])
 
-    def way(self, i: int, t: float) -> float:
+    def displacement(self, i: int, t: float) -> float:
         """m that body i has gone."""
         return value(self.path[i], t) if self.path else integral_value(self.speed[i], t)
 
@@ -65,13 +65,13 @@ class Step:
 
     def motion(self, i: int, t: float) -> tuple[float, float, float]:
         """Displacement [m], v [m/s], a [m/s²] of body i."""
-        return (self.way(i, t), *value_and_slope(self.speed[i], t))
+        return (self.displacement(i, t), *value_and_slope(self.speed[i], t))
 
     def excess(self, i: int, a: float, dt: float) -> float:
         """m. Displacement of body i from a s on, beyond that at the velocity there."""
         if a == 0.0:
             return integral_value([0.0, *self.speed[i][1:]], dt)
-        return self.way(i, a + dt) - self.way(i, a) - self.velocity(i, a) * dt
+        return self.displacement(i, a + dt) - self.displacement(i, a) - self.velocity(i, a) * dt
 
     def speeds(self, i: int, t: float) -> tuple[float, float]:
         """m/s. Least and greatest velocity of body i up to t, bounded by the coefficients."""
@@ -147,13 +147,13 @@ class Step:
 
     def squares(self, i: int, t: float) -> tuple[float, float, float]:
         """Integrals of v² dt, v|v| dt, |v|³ dt of body i, as far as its drag asks for them."""
-        load, speed, way = self.bodies[i].load, self.speed[i], self.bodies[i].sliding
+        load, speed, direction = self.bodies[i].load, self.speed[i], self.bodies[i].sliding
         if not (load.linear or load.quadratic):
             return 0.0, 0.0, 0.0
         if not load.quadratic:
             return square_integral(speed, t), 0.0, 0.0
         square, cube = square_and_cube(speed, t)
-        return square, way * square, way * cube
+        return square, direction * square, direction * cube
 
     def rate_square(self, k: int, t: float) -> float:
         """m²/s. Integral of o'² dt in gap k."""

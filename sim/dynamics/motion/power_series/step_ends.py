@@ -114,10 +114,10 @@ def _in_gaps(step: Step, sizes: list[float], noise: float) -> Iterator[tuple[End
 def _of_bodies(step: Step) -> Iterator[tuple[End, Poly]]:
     for i, body in enumerate(step.bodies):
         if body.carts and body.held:
-            for way, reserve in reserves(body, step.others(i)):
-                yield End("slip", i, way), reserve
+            for direction, reserve in reserves(body, step.others(i)):
+                yield End("slip", i, direction), reserve
         elif body.sliding and (body.load.static or body.load.quadratic):
-            yield End("halt", i), _way(body, step.speed[i], step.span)
+            yield End("halt", i), _speed_onwards(body, step.speed[i], step.span)
 
 
 ONSET = 1e-9
@@ -125,10 +125,10 @@ ONSET = 1e-9
 all forces balance: what is left of that acceleration, in time and force, has no sign."""
 
 
-def _way(body: Body, speed: Poly, length: float) -> Poly:
+def _speed_onwards(body: Body, speed: Poly, length: float) -> Poly:
     """A body's speed in the direction in which it slides."""
-    way = [body.sliding * c for c in speed]
-    return _without_noise(way, length) if body.v == 0.0 else way
+    onwards = [body.sliding * c for c in speed]
+    return _without_noise(onwards, length) if body.v == 0.0 else onwards
 
 
 def _without_noise(rate: Poly, length: float) -> Poly:
