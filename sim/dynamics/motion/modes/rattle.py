@@ -59,14 +59,14 @@ def phase(
     length = min(limit, _well_told(begun, found, modes))
     if found.fastest > 0.0:
         length = min(length, LONGEST / found.fastest)
-    told = _told(bodies, gaps, row, found, begun, modes, length)
+    current = _phase_of(bodies, gaps, row, found, begun, modes, length)
     try:
-        ends = _first_ends(told)
+        ends = _first_ends(current)
     except UndecidedError:
         return None
-    if ends is None or ends[1] <= NO_MOTION * told.swing:
+    if ends is None or ends[1] <= NO_MOTION * current.swing:
         return None
-    return told, *ends
+    return current, *ends
 
 
 def _amplitudes(row: SettledRow, found: Swings, begun: Begun) -> Swinging | None:
@@ -101,7 +101,7 @@ def _well_told(begun: Begun, found: Swings, modes: Swinging) -> float:
     return longest
 
 
-def _told(
+def _phase_of(
     bodies: list[Body],
     gaps: list[Gap],
     row: SettledRow,
@@ -134,24 +134,25 @@ def _common(bodies: list[Body], block: Block) -> float:
     return block.inverse * math.fsum([bodies[i].mass * bodies[i].v for i in block.bodies])
 
 
-def _first_ends(told: Phase) -> tuple[list[End], float] | None:
+def _first_ends(current: Phase) -> tuple[list[End], float] | None:
     """As `step_ends.first_ends`; None where the series is to decide."""
-    modes, duration = told.modes, told.length
-    soon = told.swing or duration
+    modes, duration = current.modes, current.length
+    soon = current.swing or duration
     sizes = [
-        abs(push.first) + (abs(push.slope) + abs(push.bend) * soon) * soon for push in told.pushes
+        abs(push.first) + (abs(push.slope) + abs(push.bend) * soon) * soon
+        for push in current.pushes
     ]
     noise = NEGLIGIBLE * max(sizes)
     ends: list[End] = []
-    for k in told.found.stiffest:  # what comes first is found first: less is left to search
-        gap, branch = told.gaps[k], told.branches[k]
+    for k in current.found.stiffest:  # what comes first is found first: less is left to search
+        gap, branch = current.gaps[k], current.branches[k]
         if sizes[k] <= noise or (branch.locked and gap.rate > 0.0) or gap.touching is None:
             return None
         for guard in guards_of(gap, branch):
             if guard.of == "push":
                 return None
             sign = -1.0 if guard.rises else 1.0
-            here, beyond = _guarded(told, k, guard), passed(guard)
+            here, beyond = _guarded(current, k, guard), passed(guard)
             until = duration * (1.0 + TOGETHER)
             if beyond != guard.level and first_fall(here, modes, until, sign, beyond) is None:
                 continue  # it comes just as deep as before
@@ -161,11 +162,11 @@ def _first_ends(told: Phase) -> tuple[list[End], float] | None:
                     ends.clear()
                 ends.append(End(guard.cause, k))
                 duration = min(t, duration)
-    for i, body in enumerate(told.bodies):
+    for i, body in enumerate(current.bodies):
         if body.sliding and body.load.static:
             if body.v == 0.0:
                 return None
-            t = first_fall(told.speeds_of[i], modes, duration, float(body.sliding))
+            t = first_fall(current.speeds_of[i], modes, duration, float(body.sliding))
             if t is not None:
                 if t < duration:
                     ends.clear()
@@ -175,13 +176,13 @@ def _first_ends(told: Phase) -> tuple[list[End], float] | None:
     return ends, duration
 
 
-def _guarded(told: Phase, k: int, guard: Guard) -> Started:
+def _guarded(current: Phase, k: int, guard: Guard) -> Started:
     """What falls, or rises, to the level of a guard of gap k where its event happens."""
     if guard.of == "force":
-        return told.pushes[k]
+        return current.pushes[k]
     if guard.of == "overlap":
-        return told.overlaps[k]
-    q, swing = told.closing(k), told.swing
-    if q.first == 0.0 and abs(q.slope) * swing <= ONSET * q.size(told.modes, swing):
+        return current.overlaps[k]
+    q, swing = current.closing(k), current.swing
+    if q.first == 0.0 and abs(q.slope) * swing <= ONSET * q.size(current.modes, swing):
         return Started(0.0, 0.0, q.bend, q.shape)  # as the series does it
     return q

@@ -93,15 +93,15 @@ def swings(
             tuple(0.0 if k is None else kappa[k] for k in near),
             tuple(0.0 if k is None else gamma[k] for k in near),
         )
-        told = modes(segment) if segment.anchored or len(own) > 1 else ()
-        if told is None or any(mode.rate == 0.0 or mode.norm == 0.0 for mode in told):
+        own_modes = modes(segment) if segment.anchored or len(own) > 1 else ()
+        if own_modes is None or any(mode.rate == 0.0 or mode.norm == 0.0 for mode in own_modes):
             return None
-        rates += [mode.rate for mode in told]
-        parts += [_parts(mode, segment, near) for mode in told]
-    return _told(tuple(rates), tuple(parts), block, left_mass, kappa, gamma, locked)
+        rates += [mode.rate for mode in own_modes]
+        parts += [_parts(mode, segment, near) for mode in own_modes]
+    return _swings_of(tuple(rates), tuple(parts), block, left_mass, kappa, gamma, locked)
 
 
-def _told(
+def _swings_of(
     rates: tuple[complex, ...],
     parts: tuple[tuple[Part, ...], ...],
     block: tuple[Block, ...],
@@ -110,7 +110,7 @@ def _told(
     gamma: tuple[float, ...],
     locked: tuple[bool, ...],
 ) -> Swings:
-    """With what every quantity has of the modes."""
+    """The `Swings`: shapes of overlap, closing speed, force and velocity, from the strains."""
     count = len(kappa)
     over = [[0j] * len(rates) for _ in range(count)]
     for j, own in enumerate(parts):
