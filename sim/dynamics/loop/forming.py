@@ -21,8 +21,8 @@ from sim.dynamics.state.loads import Forces
 from sim.scene.model import Scene
 
 
-class Forming:
-    """The state of a run in progress."""
+class RunState:
+    """A run in progress: chain, calendar, accounts; rows of bodies are settled and formed anew."""
 
     def __init__(self, scene: Scene, record: Record) -> None:
         self.scene, self.record = scene, record

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from sim.dynamics.loop import collapse, contacts, dead_rounds, impacts, release, transitions
 from sim.dynamics.loop.first_struck import first_struck, is_alone
-from sim.dynamics.loop.forming import Forming
+from sim.dynamics.loop.forming import RunState
 from sim.dynamics.loop.rooms import resting
 from sim.dynamics.motion.pair_contact import PairContact
 from sim.dynamics.state import flips
@@ -27,7 +27,7 @@ A_SEARCH = 10
 1e-15 kg on a spring swings ten million times a second, and each swing is looked through."""
 
 
-class Simulation(Forming):
+class Simulation(RunState):
     """The handlers of the events of a run."""
 
     def at_gap(self, gap: Gap, now: Time) -> None:
