@@ -178,7 +178,7 @@ class Mode:
     changed: Time = NEVER
     flips: int = 0
     alternates: int = 0
-    before: int = 0
+    alternates_before: int = 0
 
 
 def test_impacts_at_one_time_count_as_one_change_and_changes_by_rounding_each() -> None:

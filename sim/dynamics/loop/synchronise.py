@@ -13,7 +13,7 @@ from sim.dynamics.loop.pair_laws import outside
 from sim.dynamics.motion.coupled_group import CoupledGroup
 from sim.dynamics.result.ledger import Ledger
 from sim.dynamics.result.record import Record
-from sim.dynamics.state.body import Body, Gap, Motion, Part
+from sim.dynamics.state.body import Body, Gap, GapRecord, Motion
 from sim.dynamics.state.chain import Chain, component
 from sim.dynamics.state.clock import Time, elapsed, later
 from sim.dynamics.state.touching import Peak
@@ -102,7 +102,7 @@ def _cut(motion: Motion, now: Time) -> None:
 
 
 def _settle_gap(
-    motion: Motion, gap: Gap, part: Part, now: Time, record: Record, ledger: Ledger
+    motion: Motion, gap: Gap, part: GapRecord, now: Time, record: Record, ledger: Ledger
 ) -> None:
     touching = gap.touching
     if touching is not None:

@@ -13,7 +13,7 @@ from typing import ClassVar
 
 from sim.dynamics.motion.power_series.step import Step
 from sim.dynamics.motion.work_accounting import book_step
-from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, PeakSoFar, kinds_of
+from sim.dynamics.state.body import Accounts, Body, End, Gap, GapRecord, PeakSoFar, kinds_of
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.loads import Load
 from sim.laws.damped_oscillation import Rate
@@ -111,14 +111,14 @@ class CoupledGroup:
         """As the branch of its law."""
         return self.step.branches[k].locked
 
-    def parts(self, t: float, *, peaks: bool) -> list[Part]:
+    def parts(self, t: float, *, peaks: bool) -> list[GapRecord]:
         """Gap by gap."""
         step, found = self.step, []
         for k, gap in enumerate(self.members):
             over, rate = step.overlap(k, t)
             summed = step.summed(k, t) if gap.loose else 0.0
             if gap.touching is None:
-                found.append(Part(over, rate, summed=summed))
+                found.append(GapRecord(over, rate, summed=summed))
                 continue
             seen: tuple[PeakSoFar, ...] = ()
             if peaks and step.may_peak(k, t):
@@ -128,7 +128,7 @@ class CoupledGroup:
                     speeds = (step.velocity(k, when), step.velocity(k + 1, when))
                     seen = ((when, force, step.impulse(k, when), speeds),)
             kept, deepest = step.dissipated(k, t, over), step.deepest(k, t, over, rate)
-            found.append(Part(over, rate, step.impulse(k, t), kept, deepest, seen, summed))
+            found.append(GapRecord(over, rate, step.impulse(k, t), kept, deepest, seen, summed))
         return found
 
 

@@ -13,7 +13,7 @@ from typing import ClassVar, Protocol, runtime_checkable
 
 from sim.dynamics.motion.impact import outgoing
 from sim.dynamics.motion.safe_step import SLACK
-from sim.dynamics.state.body import Accounts, Body, End, Gap, Part
+from sim.dynamics.state.body import Accounts, Body, End, Gap, GapRecord
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.loads import Load
 from sim.laws.damped_oscillation import Rate
@@ -168,7 +168,7 @@ class CurvedPair:
         """It moves."""
         return False
 
-    def parts(self, t: float, *, peaks: bool) -> list[Part]:
+    def parts(self, t: float, *, peaks: bool) -> list[GapRecord]:
         """The one gap, up to t."""
         (gap,), course = self.members, self.course
         d, v = course.at(t)
@@ -184,7 +184,7 @@ class CurvedPair:
         lost += 0.5 * self.mu * (course.u - v) * (course.u + v)
         when, most = course.deepest()
         deepest = most if when <= t else max(d, course.d0)
-        return [Part(d, v, self.mu * (course.u - v), lost, deepest, tuple(seen))]
+        return [GapRecord(d, v, self.mu * (course.u - v), lost, deepest, tuple(seen))]
 
 
 def curved_pair(bodies: list[Body], gap: Gap, now: Time, limit: float) -> CurvedPair | None:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import ClassVar
 
 from sim.dynamics.motion.courses import Course
-from sim.dynamics.state.body import Accounts, Body, End, Gap, Part
+from sim.dynamics.state.body import Accounts, Body, End, Gap, GapRecord
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.loads import Load
 from sim.effects.forces import FRICTION
@@ -94,7 +94,7 @@ class Flight:
         """No contact."""
         return False
 
-    def parts(self, t: float, *, peaks: bool) -> list[Part]:
+    def parts(self, t: float, *, peaks: bool) -> list[GapRecord]:
         """Nobody touches it."""
         return []
 

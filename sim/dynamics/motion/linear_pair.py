@@ -21,7 +21,7 @@ from sim.dynamics.motion.oscillation import Oscillation, rate_of
 from sim.dynamics.motion.power_series.series import REACH, is_rounding
 from sim.dynamics.motion.power_series.step_ends import FINAL
 from sim.dynamics.motion.work_accounting import book_body_forces, book_from_wall
-from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, PeakSoFar, kinds_of
+from sim.dynamics.state.body import Accounts, Body, End, Gap, GapRecord, PeakSoFar, kinds_of
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.flips import NO_MOTION, margin
 from sim.dynamics.state.loads import Load
@@ -134,13 +134,13 @@ class LinearPair:
         """It moves."""
         return False
 
-    def parts(self, t: float, *, peaks: bool) -> list[Part]:
+    def parts(self, t: float, *, peaks: bool) -> list[GapRecord]:
         """The one gap."""
         (gap,), between, branch = self.members, self.between, self.branch
         over, rate = between.over(t)
         summed = between.sum(t) if gap.loose else 0.0
         if gap.touching is None:
-            return [Part(over, rate, summed=summed)]
+            return [GapRecord(over, rate, summed=summed)]
         seen: tuple[PeakSoFar, ...] = ()
         times = between.greatest(branch.kappa, branch.gamma, t) if peaks else ()
         forces = ((when, branch.force(*between.over(when))) for when in times)
@@ -150,7 +150,7 @@ class LinearPair:
         loss = branch.gamma * between.damped(t) if branch.gamma else 0.0
         if gap.law is not None:
             loss += gap.law.kept(branch, between.o0, over)
-        return [Part(over, rate, self._impulse(t), loss, between.deepest(t), seen, summed)]
+        return [GapRecord(over, rate, self._impulse(t), loss, between.deepest(t), seen, summed)]
 
     def book(self, accounts: Accounts, t: float) -> None:
         """Impulses from outside and work, by name."""

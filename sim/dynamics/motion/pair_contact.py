@@ -20,7 +20,7 @@ from dataclasses import dataclass, field
 from typing import ClassVar
 
 from sim.dynamics.motion.safe_step import SLACK
-from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, PeakSoFar
+from sim.dynamics.state.body import Accounts, Body, End, Gap, GapRecord, PeakSoFar
 from sim.dynamics.state.clock import Time, elapsed
 from sim.laws.contact_law import ContactLaw, IsolatedContact
 from sim.laws.damped_oscillation import Rate, Swing, first_turn, greatest_force
@@ -195,7 +195,7 @@ class PairContact:
         """It moves."""
         return False
 
-    def parts(self, t: float, *, peaks: bool) -> list[Part]:
+    def parts(self, t: float, *, peaks: bool) -> list[GapRecord]:
         """Up to a moment in the middle of it."""
         d, v, _, _ = self.at(t)
         deepest = self.deepest_until(t)
@@ -203,7 +203,7 @@ class PairContact:
         given = 0.5 * self.mu * (self.u - v) * (self.u + v)
         before = self.law.stored(self.d0, self.u, self.memory)
         return [
-            Part(
+            GapRecord(
                 d,
                 v,
                 self.mu * (self.u - v),

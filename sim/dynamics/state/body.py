@@ -41,8 +41,8 @@ PeakSoFar = tuple[float, float, float, tuple[float, float]]
 
 
 @dataclass(slots=True)
-class Part:
-    """What a motion did in one of its gaps; all but overlap and rate are of the contact there."""
+class GapRecord:
+    """What a motion did in one gap. `over` and `rate` are the gap's, all else is its contact's."""
 
     over: float  # m
     rate: float  # m/s
@@ -150,7 +150,7 @@ class Motion(Protocol):
     def locked(self, k: int) -> bool:
         """Does the contact in its k-th gap keep its overlap?"""
 
-    def parts(self, t: float, *, peaks: bool) -> list[Part]:
+    def parts(self, t: float, *, peaks: bool) -> list[GapRecord]:
         """What it did in each of its gaps up to t; `peaks`: their greatest forces are asked for."""
 
 
@@ -182,7 +182,7 @@ class Body:
     changed: Time = NEVER  # when it last began or ceased to slide
     flips: int = 0  # how often at that instant (`flips`)
     alternates: int = 0  # how many of them count for the margin
-    before: int = 0  # of these, with the first at the very time of the last
+    alternates_before: int = 0  # as it was before this instant: an impact restores it
     turn: int = 0  # counts predictions, as those of gaps
     still: Still | None = None  # at rest under forces
 
@@ -214,7 +214,7 @@ class Gap:
     changed: Time = NEVER  # when its mode changed last
     flips: int = 0  # how often at that instant (`flips`)
     alternates: int = 0  # how many of them count for the margin
-    before: int = 0  # of these, with the first at the very time of the last
+    alternates_before: int = 0  # as it was before this instant: an impact restores it
     clear_at: Time | None = None  # when its overlap will have cleared, if that is known
     _figures: tuple[float, IsolatedContact] | None = field(default=None)
 

@@ -60,14 +60,14 @@ NO_MOTION = 1e-8
 class Changing(Protocol):
     """A gap or a body: when its mode changed last, and how often at that instant.
 
-    `alternates`: those of the changes that count for the margin; `before`: how many they were with
-    the first change at the very time of the last one.
+    `alternates`: those of the changes that count for the margin; `alternates_before`: how many they
+    were with the first change at the very time of the last one: an impact restores it.
     """
 
     changed: Time
     flips: int
     alternates: int
-    before: int
+    alternates_before: int
 
 
 def note(one: Changing, now: Time, instant: float) -> None:
@@ -79,7 +79,7 @@ def note(one: Changing, now: Time, instant: float) -> None:
     one.flips = one.flips + 1 if again else 0
     one.alternates = one.alternates + 1 if again else 0
     if since != 0.0:
-        one.before = one.alternates
+        one.alternates_before = one.alternates
     one.changed = now
 
 
@@ -89,9 +89,9 @@ def jump(one: Changing, now: Time, *, moves: bool) -> None:
     `moves`: by more than what counts as rest, so that nothing before it alternated by rounding.
     """
     if moves:
-        one.alternates = one.before = 0
+        one.alternates = one.alternates_before = 0
     elif elapsed(one.changed, now) == 0.0:
-        one.alternates = one.before
+        one.alternates = one.alternates_before
 
 
 def margin(one: Changing, now: Time, step: float) -> float:

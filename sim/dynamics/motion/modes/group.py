@@ -21,7 +21,7 @@ from sim.dynamics.motion.modes.state import ModalState, modal_state
 from sim.dynamics.motion.power_series.series import SettledRow, step_length
 from sim.dynamics.motion.rest import QUIET
 from sim.dynamics.motion.work_accounting import book_body_forces, book_from_wall
-from sim.dynamics.state.body import Accounts, Body, End, Gap, Part, kinds_of
+from sim.dynamics.state.body import Accounts, Body, End, Gap, GapRecord, kinds_of
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.loads import Load
 from sim.effects.forces import FRICTION
@@ -141,7 +141,7 @@ class ModalGroup:
         """As the branch of its law."""
         return self.branches[k].locked
 
-    def parts(self, t: float, *, peaks: bool) -> list[Part]:
+    def parts(self, t: float, *, peaks: bool) -> list[GapRecord]:
         """Gap by gap."""
         found, least = [], NOTHING_WITHIN * self.step
         for k, gap in enumerate(self.members):
@@ -149,7 +149,7 @@ class ModalGroup:
             o, rate = over.both(t)
             summed = over.integral(t) if gap.loose else 0.0
             if gap.touching is None:
-                found.append(Part(o, rate, summed=summed))
+                found.append(GapRecord(o, rate, summed=summed))
                 continue
             seen = []
             for when in (0.0, maximum(force, t, least, LOOKS), t) if peaks else ():
@@ -159,7 +159,7 @@ class ModalGroup:
             if gap.law is not None:
                 kept += gap.law.kept(branch, -gap.room, o)
             deepest = max(-gap.room, over.value(maximum(over, t, least, LOOKS)))
-            found.append(Part(o, rate, force.integral(t), kept, deepest, tuple(seen), summed))
+            found.append(GapRecord(o, rate, force.integral(t), kept, deepest, tuple(seen), summed))
         return found
 
     def book(self, accounts: Accounts, t: float) -> None:
