@@ -92,27 +92,27 @@ class CoupledGroup:
         return self.step.excess(self._place(body), elapsed(self.begun, start), dt)
 
     def speeds(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
-        """Least and greatest velocity in the step."""
+        """As `Motion.speeds`: least and greatest in the step."""
         return self.step.speeds(self._place(body), self.duration)
 
     def accelerations(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
-        """m/s². Least and greatest from `now` on, within the step."""
+        """As `Motion.accelerations`: m/s², least and greatest within the step."""
         return self.step.accelerations(self._place(body), elapsed(self.begun, now), horizon)
 
     def force(self, gap: int, tau: float) -> tuple[float, float]:
-        """N and dN/dt of a gap of the chain."""
+        """As `Motion.force`: N and dN/dt of a gap of the chain."""
         return self.step.force(self.gaps.index(gap), tau)
 
     def book(self, accounts: Accounts, t: float) -> None:
-        """Impulses from outside and work, by name."""
+        """As `Motion.book`: impulses from outside and work, by name."""
         book_step(accounts, self.step, t)
 
     def locked(self, k: int) -> bool:
-        """As the branch of its law."""
+        """As `Motion.locked`: the branch of its law says so."""
         return self.step.branches[k].locked
 
     def parts(self, t: float, *, peaks: bool) -> list[GapRecord]:
-        """Gap by gap."""
+        """As `Motion.parts`: gap by gap."""
         step, found = self.step, []
         for k, gap in enumerate(self.members):
             over, rate = step.overlap(k, t)

@@ -162,14 +162,14 @@ class CurvedPair:
         return force, growth - self.course.damping(d) * force / self.mu
 
     def book(self, accounts: Accounts, t: float) -> None:
-        """Nothing but the contact acts."""
+        """As `Motion.book`: nothing but the contact acts."""
 
     def locked(self, k: int) -> bool:
         """It moves."""
         return False
 
     def parts(self, t: float, *, peaks: bool) -> list[GapRecord]:
-        """The one gap, up to t."""
+        """As `Motion.parts`: the one gap."""
         (gap,), course = self.members, self.course
         d, v = course.at(t)
         seen = []

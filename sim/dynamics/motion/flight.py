@@ -61,7 +61,7 @@ class Flight:
         return self.course.at(a + dt)[0] - x - v * dt
 
     def speeds(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
-        """Least and greatest velocity from `now` on: it is monotone."""
+        """As `Motion.speeds`: least and greatest from `now` on, as it is monotone."""
         t = elapsed(self.begun, now)
         here, there = self.course.at(t)[1], self.course.at(t + horizon)[1]
         return min(here, there), max(here, there)
@@ -78,7 +78,7 @@ class Flight:
         return self.course.at(tau)
 
     def force(self, gap: int, tau: float) -> tuple[float, float]:
-        """Nobody touches it."""
+        """As `Motion.force`: 0, nobody touches it."""
         return 0.0, 0.0
 
     def marks(self, end: float) -> list[float]:
@@ -91,15 +91,15 @@ class Flight:
         return self.course.sparse
 
     def locked(self, k: int) -> bool:
-        """No contact."""
+        """As `Motion.locked`: no contact."""
         return False
 
     def parts(self, t: float, *, peaks: bool) -> list[GapRecord]:
-        """Nobody touches it."""
+        """As `Motion.parts`: none, nobody touches it."""
         return []
 
     def side(self, body: Body) -> float:
-        """It is alone."""
+        """As `Motion.side`: it is alone."""
         return 0.0
 
     def time_left(self, now: Time) -> float:

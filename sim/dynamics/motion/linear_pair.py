@@ -98,7 +98,7 @@ class LinearPair:
         return 0.5 * self.drift[1] * dt * dt + side * change
 
     def speeds(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
-        """Least and greatest velocity from now on."""
+        """As `Motion.speeds`: least and greatest from now on."""
         t = elapsed(self.begun, now)
         v0, drift = self.drift
         ends = (v0 + drift * t, v0 + drift * (t + horizon))
@@ -131,11 +131,11 @@ class LinearPair:
         return branch.gamma * gone + branch.kappa * (self.between.sum(t) - branch.rest * t)
 
     def locked(self, k: int) -> bool:
-        """It moves."""
+        """As `Motion.locked`: never, it moves."""
         return False
 
     def parts(self, t: float, *, peaks: bool) -> list[GapRecord]:
-        """The one gap."""
+        """As `Motion.parts`: the one gap."""
         (gap,), between, branch = self.members, self.between, self.branch
         over, rate = between.over(t)
         summed = between.sum(t) if gap.loose else 0.0
@@ -153,7 +153,7 @@ class LinearPair:
         return [GapRecord(over, rate, self._impulse(t), loss, between.deepest(t), seen, summed)]
 
     def book(self, accounts: Accounts, t: float) -> None:
-        """Impulses from outside and work, by name."""
+        """As `Motion.book`: impulses from outside and work, by name."""
         for body in self.bodies:
             if body.carts and body.mass < math.inf and body.load.forces:
                 displacement = self.state(self.side(body), t)[0]

@@ -189,14 +189,14 @@ class PairContact:
         return tuple(swing.rate for swing in self.stretches if swing.rate.beta > 0.0)
 
     def book(self, accounts: Accounts, t: float) -> None:
-        """Nothing but the contact acts."""
+        """As `Motion.book`: nothing but the contact acts."""
 
     def locked(self, k: int) -> bool:
         """It moves."""
         return False
 
     def parts(self, t: float, *, peaks: bool) -> list[GapRecord]:
-        """Up to a moment in the middle of it."""
+        """As `Motion.parts`: up to a moment in the middle of it."""
         d, v, _, _ = self.at(t)
         deepest = self.deepest_until(t)
         memory = self.law.remember(deepest, self.memory)

@@ -121,28 +121,28 @@ class ModalGroup:
         return speed.integral(a + dt) - before - speed.value(a) * dt
 
     def speeds(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
-        """Least and greatest velocity from now on."""
+        """As `Motion.speeds`: least and greatest from now on."""
         speed, t = self.sums.speed[self._place(body)], elapsed(self.begun, now)
         ends = [speed.constant + speed.growth * one for one in (t, t + horizon)]
         reach = speed.bound(t, 0)
         return min(ends) - reach, max(ends) + reach
 
     def accelerations(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
-        """m/s². Least and greatest from now on."""
+        """As `Motion.accelerations`: m/s², least and greatest from now on."""
         speed, t = self.sums.speed[self._place(body)], elapsed(self.begun, now)
         return speed.growth - speed.bound(t, 1), speed.growth + speed.bound(t, 1)
 
     def force(self, gap: int, tau: float) -> tuple[float, float]:
-        """N and dN/dt of a gap of the chain."""
+        """As `Motion.force`: N and dN/dt of a gap of the chain."""
         k = self.gaps.index(gap)
         return plus((1.0, self.contact[k]), (1.0, self.across[k])).both(tau)
 
     def locked(self, k: int) -> bool:
-        """As the branch of its law."""
+        """As `Motion.locked`: the branch of its law says so."""
         return self.branches[k].locked
 
     def parts(self, t: float, *, peaks: bool) -> list[GapRecord]:
-        """Gap by gap."""
+        """As `Motion.parts`: gap by gap."""
         found, least = [], NOTHING_WITHIN * self.step
         for k, gap in enumerate(self.members):
             over, force, branch = self.sums.over[k], self.contact[k], self.branches[k]
@@ -163,7 +163,7 @@ class ModalGroup:
         return found
 
     def book(self, accounts: Accounts, t: float) -> None:
-        """Impulses from outside and work, by name."""
+        """As `Motion.book`: impulses from outside and work, by name."""
         for i, body in enumerate(self.bodies):
             load, speed = body.load, self.sums.speed[i]
             if not body.carts or not (load.forces or load.grips):
