@@ -14,12 +14,12 @@ from typing import Any
 
 from sim.bridge.protocol import plain_of
 from sim.dynamics.relevance.difference import READS
-from sim.dynamics.relevance.ladder import ladder, rows
+from sim.dynamics.relevance.ranking import ranked_effects, rows
 from sim.dynamics.report.document import finite
 from sim.scene import read_scene
 
 
 def relevance_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float]]:
     """Header without numbers; raises SceneError or UnsolvedError for what cannot be run."""
-    found = ladder(read_scene(plain_of(request)))
+    found = ranked_effects(read_scene(plain_of(request)))
     return {"rungs": finite(rows(found, wired=True)), "reads": READS}, array("d")

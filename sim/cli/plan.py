@@ -72,11 +72,11 @@ def _written(description: Scene, *, as_json: bool) -> None:
 def _relevance(name: str, description: Scene, *, as_json: bool) -> None:
     """The ladder: largest first, with the reading accuracy of a graph as the line."""
     from sim.dynamics.relevance.difference import READS
-    from sim.dynamics.relevance.ladder import capital, ladder, rows
+    from sim.dynamics.relevance.ranking import capital, ranked_effects, rows
 
     try:
         with still_computing():
-            rungs = ladder(description)
+            rungs = ranked_effects(description)
     except UnsolvedError as error:
         scene_file.unsolved(name, error)
     if as_json:

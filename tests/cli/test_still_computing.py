@@ -11,7 +11,7 @@ from click.testing import CliRunner, Result
 
 from sim.cli import main, progress
 from sim.dynamics.loop.run import run
-from sim.dynamics.relevance import ladder
+from sim.dynamics.relevance import ranking
 
 SCENE = """
 carts:
@@ -51,7 +51,7 @@ def test_a_command_that_computes_for_long_says_so_beside_its_json(
 
 def test_the_ladder_of_effects_says_so_too(monkeypatch: pytest.MonkeyPatch) -> None:
     late = slow(monkeypatch)
-    monkeypatch.setattr(ladder, "run", late)
+    monkeypatch.setattr(ranking, "run", late)
     assert carts("plan", "--relevance").stderr.count("Still computing") == 1
 
 

@@ -14,7 +14,7 @@ from click.testing import CliRunner
 from sim.bridge.protocol import answer
 from sim.cli import main
 from sim.dynamics.relevance.difference import READS
-from sim.dynamics.relevance.ladder import Rung, hint, ladder, rows
+from sim.dynamics.relevance.ranking import EffectChange, hint, ranked_effects, rows
 from sim.effects.estimates import estimate_of
 from sim.scene import SceneError, read_scene
 from sim.scene.effects import kinds
@@ -29,11 +29,11 @@ def alone(**more: Any) -> dict[str, Any]:
     return {"carts": {"A": cart}, "until": T, **more}
 
 
-def rung(scene: dict[str, Any], effect: str) -> Rung:
-    return next(r for r in ladder(read_scene(scene)) if r.candidate.effect == effect)
+def rung(scene: dict[str, Any], effect: str) -> EffectChange:
+    return next(r for r in ranked_effects(read_scene(scene)) if r.candidate.effect == effect)
 
 
-def change(rungs: Rung) -> float:
+def change(rungs: EffectChange) -> float:
     assert rungs.changes is not None
     return rungs.changes.amount
 
@@ -79,7 +79,9 @@ def test_an_author_says_how_large_it_would_be() -> None:
 def test_a_law_that_delivers_more_than_its_e_is_left_out_with_what_it_delivers() -> None:
     """A stiff bumper takes no time to speak of: without it hardly anything changes."""
     plain = registry.two_carts(law="push-only-uncorrected", restitution=0.5, stiffness=1e8)
-    row = next(one for one in ladder(read_scene(plain)) if one.candidate.effect == "contact")
+    row = next(
+        one for one in ranked_effects(read_scene(plain)) if one.candidate.effect == "contact"
+    )
     assert row.changes is not None
     assert abs(row.changes.relative) < 1e-3
 
@@ -87,7 +89,7 @@ def test_a_law_that_delivers_more_than_its_e_is_left_out_with_what_it_delivers()
 def test_a_change_of_the_whole_graph_is_told_without_an_exponent() -> None:
     plain = registry.two_carts(until="2 s")
     plain["effects"] = [{"push": {"cart": "A", "force": "100 N"}}]
-    told = [rung.sentence for rung in ladder(read_scene(plain))]
+    told = [rung.sentence for rung in ranked_effects(read_scene(plain))]
     assert any("%" in one for one in told)
     assert not any("e+" in one.partition("%")[0][-8:] for one in told)
 
@@ -133,7 +135,7 @@ def test_what_takes_no_time_is_told_against_what_does() -> None:
 @pytest.mark.parametrize("name", sorted(registry.PATHS))
 def test_every_ladder_is_whole_sorted_and_has_one_line(name: str) -> None:
     scene = registry.scene(name)
-    rungs = ladder(scene)
+    rungs = ranked_effects(scene)
     assert {r.candidate.effect for r in rungs} - {"contact"} == set(kinds())
     known = [r.changes.relative for r in rungs if r.changes is not None]
     assert known == sorted(known, reverse=True)
@@ -152,7 +154,7 @@ def test_an_effect_without_a_usual_size_says_so() -> None:
 def test_the_command_prints_the_interface_and_the_page_gets_the_same() -> None:
     path = str(registry.PATHS["light-meets-heavy"])
     printed = json.loads(CliRunner().invoke(main, ["plan", "--relevance", "--json", path]).stdout)
-    assert printed == rows(ladder(registry.scene("light-meets-heavy")))
+    assert printed == rows(ranked_effects(registry.scene("light-meets-heavy")))
     wanted = {"effect", "listed", "changes", "visible", "sentence"}
     assert all(wanted <= set(row) for row in printed)
     assert set(printed[0]["changes"]) == {"quantity", "at", "amount", "relative"}
@@ -179,10 +181,10 @@ def test_a_run_loads_no_estimate() -> None:
 
 def test_a_hint_names_what_is_listed_in_vain_and_what_is_missed_most() -> None:
     vain = read_scene(alone(effects=[{"friction": {"coefficient": 1e-6}}]))
-    assert hint(ladder(vain)).startswith("Without friction")
+    assert hint(ranked_effects(vain)).startswith("Without friction")
     missed = read_scene(alone(until=9))  # friction and drag: 0.53 m/s of 0.6
-    assert hint(ladder(missed)).startswith("Friction (μ = 0.006) would change")
-    assert hint(ladder(read_scene(alone(until=0.1)))) == ""
+    assert hint(ranked_effects(missed)).startswith("Friction (μ = 0.006) would change")
+    assert hint(ranked_effects(read_scene(alone(until=0.1)))) == ""
 
 
 def test_a_check_gives_one_hint_and_no_error(tmp_path: Any) -> None:

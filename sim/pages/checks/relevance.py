@@ -18,11 +18,11 @@ class Placed(Protocol):
 
 def relevance_hints(scene: Scene, places: Placed) -> list[Finding]:
     """At most one, and no error: the scene is as its author wants it. The scene can be run."""
-    from sim.dynamics.relevance.ladder import hint, ladder  # only who checks computes it
+    from sim.dynamics.relevance.ranking import hint, ranked_effects  # only who checks computes it
     from sim.dynamics.result.outcome import UnsolvedError
 
     try:
-        told = hint(ladder(scene))
+        told = hint(ranked_effects(scene))
     except UnsolvedError:
         return []
     if not told:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from sim.dynamics.relevance.ladder import capital, ladder
+from sim.dynamics.relevance.ranking import capital, ranked_effects
 from sim.scene import read_fence, read_scene
 from tests.web.conftest import OpenPage
 from tests.web.scene.given.counted_requests import COUNT, asked
@@ -37,7 +37,9 @@ def test_nothing_is_made_or_asked_before_a_reader_opens_the_model(
     # With the reader's own value: the same sentences, in order, as Python says them here.
     plain = dict(read_fence(FENCES["meeting"]).plain)
     plain["carts"] = {**plain["carts"], "A": {**plain["carts"]["A"], "mass": 2}}
-    rows = [rung for rung in ladder(read_scene(plain)) if rung.changes or rung.candidate.listed]
+    rows = [
+        rung for rung in ranked_effects(read_scene(plain)) if rung.changes or rung.candidate.listed
+    ]
     wanted = [capital(rung.sentence) for rung in rows]  # what nobody has a size for is left out
     texts = rungs.all_inner_texts()
     line = next(k for k, text in enumerate(texts) if "a graph cannot show:" in text)

@@ -1,4 +1,4 @@
-"""The ladder: what each effect would change, largest first, with the reading accuracy as the line.
+"""What each effect would change, largest first, with the reading accuracy as the line between.
 
 Nothing here is a rule of thumb: the scene is run as it is, and once more for each candidate. One
 that cannot be run, or has no usual size, stands at the foot and says why.
@@ -14,6 +14,7 @@ from typing import Any
 from sim.dynamics.loop.run import run
 from sim.dynamics.relevance.candidates import CONTACT, Candidate, candidates
 from sim.dynamics.relevance.difference import READS, Difference, Seen, difference, seen
+from sim.dynamics.result.finished import Run
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.scene.model import Scene
 from sim.scene.said import said, wire
@@ -35,7 +36,7 @@ BEYOND = 10.0
 
 
 @dataclass(frozen=True, slots=True)
-class Rung:
+class EffectChange:
     """One candidate and what it changes; None where that is not known."""
 
     candidate: Candidate
@@ -48,29 +49,29 @@ class Rung:
         return self.changes is not None and self.changes.visible
 
 
-def ladder(scene: Scene) -> tuple[Rung, ...]:
+def ranked_effects(scene: Scene) -> tuple[EffectChange, ...]:
     """Every effect that the program knows and the scene's contacts. Raises UnsolvedError."""
     own = seen(_run(scene))
-    rungs = [_rung(own, candidate) for candidate in candidates(scene)]
-    return tuple(sorted(rungs, key=lambda r: -r.changes.relative if r.changes else 1.0))
+    ranked = [_change_by(own, candidate) for candidate in candidates(scene)]
+    return tuple(sorted(ranked, key=lambda r: -r.changes.relative if r.changes else 1.0))
 
 
-def _run(scene: Scene) -> Any:
+def _run(scene: Scene) -> Run:
     return run(scene, max_events=MOST_EVENTS, max_steps=MOST_STEPS)
 
 
-def _rung(own: Seen, candidate: Candidate) -> Rung:
+def _change_by(own: Seen, candidate: Candidate) -> EffectChange:
     if candidate.scene is None:
         told = said("{effect}: no estimate, {why}.", effect=candidate.called, why=candidate.why)
-        return Rung(candidate, None, told)
+        return EffectChange(candidate, None, told)
     try:
         other = _run(candidate.scene)
     except UnsolvedError:
         why = said("the scene cannot be run that way")
         told = said("{effect}: no estimate, {why}.", effect=candidate.called, why=why)
-        return Rung(candidate, None, told)
+        return EffectChange(candidate, None, told)
     changes = difference(own, seen(other, own.times[:-1]))
-    return Rung(candidate, changes, _sentence(candidate, changes))
+    return EffectChange(candidate, changes, _sentence(candidate, changes))
 
 
 def _sentence(candidate: Candidate, changes: Difference) -> str:
@@ -119,20 +120,20 @@ def _amount(changes: Difference) -> str:
     return said("{amount} ({part} of the graph)", amount=amount, part=part)
 
 
-def rows(rungs: Sequence[Rung], *, wired: bool = False) -> list[dict[str, Any]]:
+def rows(ranked: Sequence[EffectChange], *, wired: bool = False) -> list[dict[str, Any]]:
     """As `carts plan --relevance --json` prints them; `wired`: sentences as templates."""
     text: Any = wire if wired else capital
     return [
         {
-            "effect": rung.candidate.effect,
-            "listed": rung.candidate.listed,
-            "changes": None if rung.changes is None else _changes(rung.changes),
-            "visible": rung.visible,
-            "sentence": text(rung.sentence),
-            "size": rung.candidate.size,
-            "source": text(rung.candidate.source),
+            "effect": one.candidate.effect,
+            "listed": one.candidate.listed,
+            "changes": None if one.changes is None else _changes(one.changes),
+            "visible": one.visible,
+            "sentence": text(one.sentence),
+            "size": one.candidate.size,
+            "source": text(one.candidate.source),
         }
-        for rung in rungs
+        for one in ranked
     ]
 
 
@@ -151,9 +152,9 @@ def _changes(changes: Difference) -> dict[str, Any]:
     }
 
 
-def hint(rungs: Sequence[Rung]) -> str:
+def hint(ranked: Sequence[EffectChange]) -> str:
     """One line for the author of a scene: what is listed in vain, what is missing most; or ""."""
-    effects = [(r, r.changes) for r in rungs if r.changes and r.candidate.effect != CONTACT]
+    effects = [(r, r.changes) for r in ranked if r.changes and r.candidate.effect != CONTACT]
     vain = [r for r, changes in effects if r.candidate.listed and not changes.visible]
     much = [r for r, c in effects if not r.candidate.listed and MUCH < c.relative < math.inf]
     return capital((vain + much)[0].sentence) if vain or much else ""
