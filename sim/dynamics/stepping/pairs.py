@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.dynamics.result.outcome import UnsolvedError
-from sim.effects.forces import LooseForce, PairForce
+from sim.effects.forces import Acting, LooseForce, PairForce
 from sim.laws.contact_law import reduced_mass
 from sim.laws.lookup import contact_law
 from sim.laws.stepping import SteppedContact
@@ -52,7 +52,7 @@ class Detail:
     v: PerCart
 
 
-def pair_of(scene: Scene, gap: int, effects: Sequence[Any]) -> Pair | None:
+def pair_of(scene: Scene, gap: int, effects: Sequence[Acting]) -> Pair | None:
     """The neighbours of a gap with what acts between them; None at an open end."""
     contact = scene.contacts[gap]
     if contact is None:
