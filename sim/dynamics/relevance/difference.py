@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from sim.dynamics.result.finished import Run
@@ -88,25 +89,30 @@ def _after_contacts(run: Run) -> Speeds:
 
 
 def difference(own: Seen, other: Seen) -> Difference:
-    """The greatest difference as part of the graphs of `own`."""
+    """The greatest difference as part of the graphs of `own`; of equal ones the first."""
+    return max(
+        _differences(own, other),
+        key=lambda one: (one.relative, one.amount if one.relative == math.inf else 0.0),
+    )
+
+
+def _differences(own: Seen, other: Seen) -> Iterator[Difference]:
+    """That of every place and velocity that is compared, after one of nothing."""
     names = [cart.name for cart in own.run.scene.carts]
     height_x, height_v = own.heights
-    best = Difference(f"v.{names[0]}", own.run.t, 0.0, 0.0)
-
-    def see(quantity: str, at: float, amount: float, height: float) -> None:
-        nonlocal best
-        relative = amount / height if height else (math.inf if amount else 0.0)
-        more = relative == best.relative == math.inf and amount > best.amount
-        if relative > best.relative or more:
-            best = Difference(quantity, at, amount, relative)
-
+    yield Difference(f"v.{names[0]}", own.run.t, 0.0, 0.0)
     for t, mine, theirs in zip(own.times, own.places, other.places, strict=True):
         for name, a, b in zip(names, mine, theirs, strict=True):
-            see(f"x.{name}", t, abs(a - b), height_x)
+            yield _part(f"x.{name}", t, abs(a - b), height_x)
     for name, a, b in zip(names, own.run.v, other.run.v, strict=True):
-        see(f"v.{name}", own.run.t, abs(a - b), height_v)
+        yield _part(f"v.{name}", own.run.t, abs(a - b), height_v)
     for key, (t, speeds) in own.after.items():
         if key in other.after:
             for name, v in speeds.items():
-                see(f"v.{name}", t, abs(v - other.after[key][1].get(name, v)), height_v)
-    return best
+                change = abs(v - other.after[key][1].get(name, v))
+                yield _part(f"v.{name}", t, change, height_v)
+
+
+def _part(quantity: str, at: float, amount: float, height: float) -> Difference:
+    relative = amount / height if height else (math.inf if amount else 0.0)
+    return Difference(quantity, at, amount, relative)
