@@ -27,13 +27,16 @@ export default {
   },
 };
 
-/** @param {string} key @param {number} x @param {1 | -1} way into the body @param {import("../../view/types.js").Layout} layout @returns {import("../../view/types.js").Piece[]} */
-function poles(key, x, way, { kind, track }) {
+/**
+ * @param {string} key @param {number} x @param {1 | -1} direction into the body
+ * @param {import("../../view/types.js").Layout} layout @returns {import("../../view/types.js").Piece[]}
+ */
+function poles(key, x, direction, { kind, track }) {
   const top = track - 40;
   return POLES.slice(0, kind === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
-    const start = x + way * k * POLE;
-    const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
-    const letter = { text: pole, x: px(start + (way * POLE) / 2), y: px(top + 13) };
+    const start = x + direction * k * POLE;
+    const d = `M${px(start)} ${px(top)}h${px(direction * POLE)}v16h${px(-direction * POLE)}Z`;
+    const letter = { text: pole, x: px(start + (direction * POLE) / 2), y: px(top + 13) };
     return [
       { key: `${key} ${pole}`, cls, d },
       { key: `${key} ${pole} letter`, cls: "carts-pole", anchor: "middle", ...letter },

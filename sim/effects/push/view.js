@@ -35,21 +35,21 @@ export default {
     const { carts, numbers } = effect;
     const name = String(carts[0]);
     const y = layout.track;
-    const way = (numbers.force ?? 0) >= 0 ? 1 : -1;
+    const direction = (numbers.force ?? 0) >= 0 ? 1 : -1;
     const body = header.bodies.find((one) => one.name === name);
-    const side = centre(name) - way * ((body ? bodyWidth(body) * layout.scale : 0) / 2);
+    const side = centre(name) - direction * ((body ? bodyWidth(body) * layout.scale : 0) / 2);
     if (isHand(effect)) {
       const past = t - end(effect);
       if (past >= 0 && goesOn(effect, header)) return [];
-      const gone = past < 0 ? 0 : way * ROOM * Math.min(1, past / BACK);
+      const gone = past < 0 ? 0 : direction * ROOM * Math.min(1, past / BACK);
       const left =
         past < 0
           ? side
           : side - (place(run, name, t) - place(run, name, end(effect))) * layout.scale;
-      return [{ key, cls: "carts-hand carts-palm", d: hand(left - gone, y - MIDDLE, way) }];
+      return [{ key, cls: "carts-hand carts-palm", d: hand(left - gone, y - MIDDLE, direction) }];
     }
-    const x = side - 3 * way;
-    const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
+    const x = side - 3 * direction;
+    const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-direction * 26)}`;
     return [{ key, cls: "carts-hand", behind: true, d }];
   },
   marks({ carts, numbers: { from = 0, until: end, force = 0 } }, agent, until, told) {
@@ -86,8 +86,8 @@ function place({ trajectory: { t: times, x, v } }, name, t) {
   return valueAt(times, x[name] ?? [], v[name] ?? [], t);
 }
 
-/** @param {number} x of the palm @param {number} y @param {1 | -1} way it pushes @returns {string} */
-function hand(x, y, way) {
+/** @param {number} x of the palm @param {number} y @param {1 | -1} direction it pushes @returns {string} */
+function hand(x, y, direction) {
   let across = true; // the next number is an x, but after v
   let absolute = true;
   return HAND.replace(/[MLCvhZ]|-?[\d.]+/g, (part) => {
@@ -97,7 +97,7 @@ function hand(x, y, way) {
       return part;
     }
     const number = Number(part);
-    const shown = across ? way * number + (absolute ? x : 0) : number + (absolute ? y : 0);
+    const shown = across ? direction * number + (absolute ? x : 0) : number + (absolute ? y : 0);
     across = absolute ? !across : across;
     return ` ${px(shown)}`;
   });

@@ -69,8 +69,10 @@ function pushes({ between, numbers: { at = 0 } }, { header, trajectory }) {
   return [begun.t, ended?.t ?? Infinity];
 }
 
-/** m. The right edge of a cart, or the left one where `way` is −1. @param {Run} run @param {string} name @param {number} t in s */
-function edge({ header, trajectory }, name, t, way = 1) {
+/** m. The right edge of a cart, or the left one where `direction` is −1. @param {Run} run @param {string} name @param {number} t in s */
+function edge({ header, trajectory }, name, t, direction = 1) {
   const half = (header.bodies.find((body) => body.name === name)?.length ?? 0) / 2;
-  return valueAt(trajectory.t, trajectory.x[name] ?? [], trajectory.v[name] ?? [], t) + way * half;
+  return (
+    valueAt(trajectory.t, trajectory.x[name] ?? [], trajectory.v[name] ?? [], t) + direction * half
+  );
 }

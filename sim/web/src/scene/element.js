@@ -63,7 +63,7 @@ export function sceneElement(client, folder) {
       this.#leaving = new AbortController();
       const { signal } = this.#leaving;
       this.#live.listen(signal);
-      this.#runs.hear(signal);
+      this.#runs.answerOthers(signal);
       addEventListener("beforeprint", () => this.#view?.print(true), { signal });
       addEventListener("afterprint", () => this.#view?.print(false), { signal });
     }

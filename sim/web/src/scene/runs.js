@@ -17,13 +17,15 @@ export class Runs {
   /** @type {import("./prepared.js").Prepared | null} */
   prepared = null;
   #generation = 0; // of resets: what was asked for before one is not shown after it
-  #asked = 0; // changes and resets so far: a prepared run is shown for the newest only, and before the exact one
+  #changes = 0; // and resets so far: a prepared run is shown for the newest only, and before the exact one
 
   /**
-   * @param {HTMLElement} owner whose newest request counts @param {import("../runtime/client.js").Client} client
+   * @param {HTMLElement} owner whose newest request counts
+   * @param {import("../runtime/client.js").Client} client
    * @param {{scene: () => object | undefined, draw: (run: Run) => unknown, say: (message: string) => void,
    *   long: (on: boolean) => void}} acts
-   *   `scene` as its author wrote it; `draw` resolves when the run is on the page; `say`: a message for the reader; `long`: whether Python needs long
+   *   `scene` as its author wrote it; `draw` resolves when the run is on the page;
+   *   `say`: a message for the reader; `long`: whether Python needs long
    */
   constructor(owner, client, acts) {
     this.owner = owner;
@@ -31,8 +33,11 @@ export class Runs {
     this.acts = acts;
   }
 
-  /** Answers others of the page. @param {AbortSignal} signal */
-  hear(signal) {
+  /**
+   * Answers requests of other elements about this scene, with the accepted values.
+   * @param {AbortSignal} signal
+   */
+  answerOthers(signal) {
     const owner = {}; // who asks: apart from the requests for runs
     const answer = (/** @type {any} */ { detail }) => {
       const asked = { scene: this.acts.scene(), set: { ...this.values.good }, ...detail.message };
@@ -56,13 +61,17 @@ export class Runs {
     return this.client.state === "failed" ? this.prepared?.stops[target] : undefined;
   }
 
-  /** Draws the run of changed values. @param {Settings} changes to be given up if they are refused @param {number} at time of the input, for the measure */
+  /**
+   * Draws the run of changed values.
+   * @param {Settings} changes to be given up if they are refused
+   * @param {number} at time of the input, for the measure
+   */
   async compute(changes, at) {
-    this.#asked += 1;
+    this.#changes += 1;
     if (this.client.state === "idle" || this.client.state === "starting") void this.#meanwhile();
     const run = await this.ask(changes);
     if (!run) return;
-    this.#asked += 1;
+    this.#changes += 1;
     await this.acts.draw(run);
     await drawn(this.owner, at, { ...this.values.good });
   }
@@ -72,7 +81,11 @@ export class Runs {
     this.compute({}, performance.now()).catch((error) => this.acts.say(error.message));
   }
 
-  /** Several values at once, from the scene as the lesson has it. @param {Settings} changes @returns {Promise<boolean>} whether their run is on the page */
+  /**
+   * Several values at once, from the scene as the lesson has it.
+   * @param {Settings} changes
+   * @returns {Promise<boolean>} whether their run is on the page
+   */
   preset(changes) {
     return this.become(changes).then(
       () => true,
@@ -83,18 +96,26 @@ export class Runs {
     );
   }
 
-  /** These values in the place of all; where they are refused, it rejects and all is as it was. @param {import("./values.js").Settings} changes */
+  /**
+   * These values in the place of all; where they are refused, it rejects and all is as it was.
+   * @param {Settings} changes
+   */
   become(changes) {
     const back = this.values.replace(changes);
     const done = this.compute(changes, performance.now());
-    const asked = this.#asked;
+    const newest = this.#changes;
     return done.catch((error) => {
-      if (asked === this.#asked) back();
+      if (newest === this.#changes) back();
       throw error;
     });
   }
 
-  /** The run of the values asked for; null where they were reset meanwhile. Rejects with what a reader can do. @param {Settings} changes given up if they are refused @returns {Promise<Run | null>} */
+  /**
+   * The run of the values asked for; null where they were reset meanwhile. Rejects with what a
+   * reader can do.
+   * @param {Settings} changes given up if they are refused
+   * @returns {Promise<Run | null>}
+   */
   async ask(changes = {}) {
     const generation = this.#generation;
     const { header, numbers, set } = await this.#answer().catch((error) => {
@@ -135,9 +156,9 @@ export class Runs {
   /** Shows the nearest prepared run if nothing newer has come before it. */
   async #meanwhile() {
     if (!this.prepared?.there) return;
-    const asked = this.#asked;
+    const newest = this.#changes;
     const found = await this.prepared.nearest(this.values.wanted).catch(() => null); // Python will say
-    if (!found?.header.ok || asked !== this.#asked) return;
+    if (!found?.header.ok || newest !== this.#changes) return;
     this.values.good = found.set;
     const { header, numbers } = found;
     await this.acts.draw({ header, trajectory: fromWire(header, numbers) });
@@ -146,7 +167,7 @@ export class Runs {
   /** Back to the values that the scene came with. */
   reset() {
     this.#generation += 1;
-    this.#asked += 1;
+    this.#changes += 1;
     this.values.reset();
     this.owner.dispatchEvent(new Event(RESET, { bubbles: true }));
   }
