@@ -8,13 +8,16 @@ from typing import Any
 from sim.effects.part import part_of
 from sim.pages.widget.run import Run
 from sim.scene.effects import kinds
+from sim.scene.fence.controls import Control
 
 ROUNDING = 1e-12  # of the force itself; less than that is nought
 UNKNOWN = 0.1  # of the weight: the force of an effect that nothing is known of here
 ROOM_TO_GUESS = 1.7  # before a prediction the scale must not tell the size of a force
 
 
-def greatest_force(header: Mapping[str, Any], controls: Sequence[Any], run: Run | None) -> float:
+def greatest_force(
+    header: Mapping[str, Any], controls: Sequence[Control], run: Run | None
+) -> float:
     """N. With a run: its own forces, stretched by what the sliders do; without one: an estimate."""
     variants = [header, *_variants(header, controls)]
     greatest = 0.0
@@ -51,7 +54,7 @@ def effect_target(target: str, effects: Sequence[Mapping[str, Any]]) -> tuple[in
     return None
 
 
-def _variants(header: Mapping[str, Any], controls: Sequence[Any]) -> list[Mapping[str, Any]]:
+def _variants(header: Mapping[str, Any], controls: Sequence[Control]) -> list[Mapping[str, Any]]:
     """The scene with each slider alone at either end."""
     variants: list[Mapping[str, Any]] = []
     for control in controls:

@@ -19,10 +19,16 @@ from typing import Any
 from sim.pages.widget.reach import picture_window
 from sim.pages.widget.scale_of import Scales
 
+WIDTH = {"wide": 720.0, "narrow": 350.0}
+ARROWS = {"wide": (100.0, 72.0), "narrow": (58.0, 44.0)}  # the longest of force, of velocity
+MARGIN = 12.0  # beside an open end
+WALL = 36.0  # beside a wall where no forces are drawn
+BESIDE_WALL = 16.0  # more than the longest arrow of a force on it
 LANE = 21.0
 ABOVE = 33.0  # from the top of the tallest box to the lowest velocity arrow
 BEAM_ROW = 21.0
 ROW = 21.0  # of the force of an effect, under the track
+BEAM = 8.0  # without names of forces
 BASELINE = 15.0  # of the letters in a row, from its top
 RULER = 34.0
 LEGEND = 21.0
@@ -32,6 +38,7 @@ HEAD = 14.0  # above the highest velocity arrow
 FEW = 3  # carts; with more, all forces of one kind share a row
 FROM_ABOVE = ("incline", "push", "friction", "drag")  # rows of other kinds stand below these
 TILT = 24.0  # for a wedge that shows the slope, between ruler and legend
+UNDER_TILT = 10.0  # from the foot of the wedge to the legend
 SIGN = 65.0  # a mass takes at most so much width in any font, such as “A: 0.25 kg”
 MOST_RANKS = 3
 MOST_LANES = {"wide": 4, "narrow": 8}  # on a phone the fifth cart is near enough to meet the first
@@ -82,15 +89,13 @@ def lay_out(
 ) -> Layout:
     """The layout for `kind` wide or narrow."""
     wide = kind == "wide"
-    width = 720.0 if wide else 350.0
-    force, velocity = (100.0, 72.0) if wide else (58.0, 44.0)
+    width, (force, velocity) = WIDTH[kind], ARROWS[kind]
     count = len(header["bodies"])
     low, high = picture_window(header, camera)
     track = header["track"]
-    margin = 12.0
-    wall = force + 16.0 if forces and scales.force else 36.0
-    left = wall if track["left"] == "wall" else margin
-    right = wall if track["right"] == "wall" else margin
+    wall = force + BESIDE_WALL if forces and scales.force else WALL
+    left = wall if track["left"] == "wall" else MARGIN
+    right = wall if track["right"] == "wall" else MARGIN
     scale = (width - left - right) / (high - low)
     lanes = min(count, MOST_LANES[kind])
     closest = min(b["length"] for b in header["bodies"]) * scale
@@ -99,11 +104,11 @@ def lay_out(
     contacts = header["contacts"]
     walled = wall_contacts(header)
     crowded = (len(contacts) > 1 and count > 2) or any(walled)
-    said = forces and scales.force > 0  # the scale of forces
-    above = scales.may_tear if wide else said
-    row_count = (2 if crowded else 1) if said else 0
-    acting = slots(header, top + BEAM_ROW * row_count) if said else {}
-    beam = (BEAM_ROW * row_count + ROW * len(set(acting.values()))) or 8.0
+    has_forces = forces and scales.force > 0  # and their scale
+    above = scales.may_tear if wide else has_forces
+    row_count = (2 if crowded else 1) if has_forces else 0
+    acting = slots(header, top + BEAM_ROW * row_count) if has_forces else {}
+    beam = (BEAM_ROW * row_count + ROW * len(set(acting.values()))) or BEAM
     foot = top + beam + RULER + (TAPE if tape else 0.0)
     tilted = sum(effect["kind"] == "incline" for effect in header["effects"])
     return Layout(
@@ -127,7 +132,7 @@ def lay_out(
         velocity=velocity,
         slots=acting,
         tape=foot - TAPE / 2 if tape else 0.0,
-        tilt=foot + TILT - 10.0,
+        tilt=foot + TILT - UNDER_TILT,
         above=above,
     )
 

@@ -10,6 +10,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from sim.scene.fence.controls import Control
+
 ROOM = 2.0
 
 
@@ -57,7 +59,9 @@ def reaches(
     }
 
 
-def with_longest_track(header: Mapping[str, Any], controls: tuple[Any, ...]) -> Mapping[str, Any]:
+def with_longest_track(
+    header: Mapping[str, Any], controls: tuple[Control, ...]
+) -> Mapping[str, Any]:
     """The header as a slider of the track's length may make it: the picture has room for that."""
     longest = max((c.high for c in controls if c.set == "track.length"), default=0.0)
     track = header["track"]

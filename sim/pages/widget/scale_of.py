@@ -14,6 +14,7 @@ from sim.pages.widget.effects_scale import greatest_force, kept_apart
 from sim.pages.widget.numbers import decimals_for, exponent, speed_unit
 from sim.pages.widget.reach import Reach, picture_window, reaches
 from sim.pages.widget.run import Run
+from sim.scene.fence.controls import Control
 from sim.scene.laws import power_of
 
 REFERENCE_HEIGHT = 38.0  # px, of the cart with the least mass per length
@@ -38,7 +39,7 @@ class Scales:
 
 
 def read_scales(
-    header: Mapping[str, Any], controls: tuple[Any, ...], run: Run | None, camera: float
+    header: Mapping[str, Any], controls: tuple[Control, ...], run: Run | None, camera: float
 ) -> Scales:
     """The scales of a scene; `run` None where a prediction comes first. Camera speed in m/s."""
     variants = list(_variants(header, controls))
@@ -85,7 +86,9 @@ def body_width(body: Mapping[str, Any]) -> float:
     return float(max(body["length"] - 2 * body["bumper_length"], 0.2 * body["length"]))
 
 
-def _variants(header: Mapping[str, Any], controls: tuple[Any, ...]) -> Iterator[Mapping[str, Any]]:
+def _variants(
+    header: Mapping[str, Any], controls: tuple[Control, ...]
+) -> Iterator[Mapping[str, Any]]:
     """The scene itself, and with each slider alone at either end."""
     yield header
     for control in controls:
