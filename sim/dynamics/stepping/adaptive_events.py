@@ -26,7 +26,7 @@ RTOL = 1e-9
 """Relative error per step where nobody says otherwise."""
 
 QUICK = 0.01
-"""s. A way counts as small beside the greatest speed times this."""
+"""s. A displacement counts as small beside the greatest speed times this."""
 
 SCIPY = {"adaptive": "DOP853", "rk45": "RK45"}
 """Methods by the name of their class in scipy.integrate."""
@@ -76,11 +76,11 @@ class AdaptiveStepper(LocatedStepper):
                 return float(begin + part), keys
             self.s, self.v = s, v
             self.impacts.remember(self.s, self.v)
-            first = self._told(float(t + solver.t), span, solver, first)
+            first = self._tell_step(float(t + solver.t), span, solver, first)
         return h, []
 
     def _dense(self, solver: Any, begin: float) -> Along:
-        """Ways and velocities in the step that was taken last, from its dense output."""
+        """Displacements and velocities in the step that was taken last, from its dense output."""
         dense: list[Any] = []
 
         def state(tau: float) -> State:
@@ -99,7 +99,7 @@ class AdaptiveStepper(LocatedStepper):
             begin = solver.t
             self._one(solver)
             self.s, self.v = self._split(solver.y)
-            first = self._told(float(t + solver.t), solver.t - begin, solver, first)
+            first = self._tell_step(float(t + solver.t), solver.t - begin, solver, first)
 
     def _solver(self, t: float, h: float) -> Any:
         numpy, integrate = _scipy()
@@ -150,7 +150,7 @@ class AdaptiveStepper(LocatedStepper):
         self.field.evaluations -= 1
         return self.field.keep.pop()
 
-    def _told(self, t: float, h: float, solver: Any, first: Any) -> Any:
+    def _tell_step(self, t: float, h: float, solver: Any, first: Any) -> Any:
         """Tell of an accepted step with the weights of its stages; returns its last forces."""
         if self.seen is None or self.field.keep is None:
             return None

@@ -21,7 +21,7 @@ RISING = 12
 """Looks at a guard that begins at nought, each a quarter as far into the step as the one before."""
 
 ROUNDING = 1e-14
-"""Of ways and room: what sums of them are wrong by at most."""
+"""Of displacements and room: what sums of them are wrong by at most."""
 
 State = tuple[PerCart, PerCart]
 """Ways and velocities."""
@@ -109,8 +109,8 @@ class _Step:
         if kind != "gap" or before > 0.0 or gap in field.held or gap in field.spent:
             return False
         pair = field.pair_at[gap]
-        way = max(abs(s) for row in (self.begin[0], self.end[0]) for s in row)
-        return pair.force is None and before - after <= ROUNDING * (way + abs(pair.room))
+        displacement = max(abs(s) for row in (self.begin[0], self.end[0]) for s in row)
+        return pair.force is None and before - after <= ROUNDING * (displacement + abs(pair.room))
 
     def dip(self, pair: Pair) -> dict[Key, float]:
         """When the room of a pair that is apart falls and rises again, or its overlap does."""

@@ -73,7 +73,7 @@ def _scaled(p: Poly, h: float) -> Poly:
 
 def square_integral(p: Poly, h: float) -> float:
     """Integral of p² over [0, h]: sum of q_i q_j/(i + j + 1), each pair once."""
-    q = _told(_scaled(p, h))
+    q = _without_faint_terms(_scaled(p, h))
     squares = [a * a / (2 * i + 1) for i, a in enumerate(q)]
     mixed = [a * b / (i + j) for i, a in enumerate(q) if a for j, b in enumerate(q[i + 1 :], i + 2)]
     return h * (math.fsum(squares) + 2.0 * math.fsum(mixed))
@@ -83,7 +83,7 @@ FAINT = 1e-20
 """Of the greatest coefficient. Later ones that are smaller than that add nothing."""
 
 
-def _told(q: Poly) -> Poly:
+def _without_faint_terms(q: Poly) -> Poly:
     """Without last coefficients that add nothing at 1."""
     faint = FAINT * max(map(abs, q), default=0.0)
     while len(q) > 1 and abs(q[-1]) <= faint:
