@@ -1761,12 +1761,12 @@
       ];
     }
   };
-  function poles(key, x2, way, { kind: kind2, track }) {
+  function poles(key, x2, direction, { kind: kind2, track }) {
     const top = track - 40;
     return POLES.slice(0, kind2 === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
-      const start = x2 + way * k * POLE;
-      const d2 = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
-      const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 13) };
+      const start = x2 + direction * k * POLE;
+      const d2 = `M${px(start)} ${px(top)}h${px(direction * POLE)}v16h${px(-direction * POLE)}Z`;
+      const letter = { text: pole, x: px(start + direction * POLE / 2), y: px(top + 13) };
       return [
         { key: `${key} ${pole}`, cls, d: d2 },
         { key: `${key} ${pole} letter`, cls: "carts-pole", anchor: "middle", ...letter }
@@ -1970,18 +1970,18 @@
       const { carts, numbers } = effect;
       const name = String(carts[0]);
       const y2 = layout.track;
-      const way = (numbers.force ?? 0) >= 0 ? 1 : -1;
+      const direction = (numbers.force ?? 0) >= 0 ? 1 : -1;
       const body2 = header.bodies.find((one) => one.name === name);
-      const side = centre(name) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2);
+      const side = centre(name) - direction * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2);
       if (isHand(effect)) {
         const past = t3 - end(effect);
         if (past >= 0 && goesOn(effect, header)) return [];
-        const gone = past < 0 ? 0 : way * ROOM * Math.min(1, past / BACK);
+        const gone = past < 0 ? 0 : direction * ROOM * Math.min(1, past / BACK);
         const left2 = past < 0 ? side : side - (place(run, name, t3) - place(run, name, end(effect))) * layout.scale;
-        return [{ key, cls: "carts-hand carts-palm", d: hand(left2 - gone, y2 - MIDDLE, way) }];
+        return [{ key, cls: "carts-hand carts-palm", d: hand(left2 - gone, y2 - MIDDLE, direction) }];
       }
-      const x2 = side - 3 * way;
-      const d2 = `M${px(x2)} ${px(y2 - 38)}v14M${px(x2)} ${px(y2 - 31)}h${px(-way * 26)}`;
+      const x2 = side - 3 * direction;
+      const d2 = `M${px(x2)} ${px(y2 - 38)}v14M${px(x2)} ${px(y2 - 31)}h${px(-direction * 26)}`;
       return [{ key, cls: "carts-hand", behind: true, d: d2 }];
     },
     marks({ carts, numbers: { from = 0, until: end2, force: force2 = 0 } }, agent2, until, told4) {
@@ -2004,7 +2004,7 @@
   function place({ trajectory: { t: times2, x: x2, v: v2 } }, name, t3) {
     return valueAt(times2, x2[name] ?? [], v2[name] ?? [], t3);
   }
-  function hand(x2, y2, way) {
+  function hand(x2, y2, direction) {
     let across2 = true;
     let absolute = true;
     return HAND.replace(/[MLCvhZ]|-?[\d.]+/g, (part) => {
@@ -2014,7 +2014,7 @@
         return part;
       }
       const number = Number(part);
-      const shown3 = across2 ? way * number + (absolute ? x2 : 0) : number + (absolute ? y2 : 0);
+      const shown3 = across2 ? direction * number + (absolute ? x2 : 0) : number + (absolute ? y2 : 0);
       across2 = absolute ? !across2 : across2;
       return ` ${px(shown3)}`;
     });
@@ -2079,9 +2079,9 @@
     const ended3 = mine.find(({ kind: kind2, t: t3 }) => kind2 === "separate" && t3 > begun2.t);
     return [begun2.t, ended3?.t ?? Infinity];
   }
-  function edge({ header, trajectory }, name, t3, way = 1) {
+  function edge({ header, trajectory }, name, t3, direction = 1) {
     const half = (header.bodies.find((body2) => body2.name === name)?.length ?? 0) / 2;
-    return valueAt(trajectory.t, trajectory.x[name] ?? [], trajectory.v[name] ?? [], t3) + way * half;
+    return valueAt(trajectory.t, trajectory.x[name] ?? [], trajectory.v[name] ?? [], t3) + direction * half;
   }
 
   // ../effects/spring/view.js
@@ -7614,14 +7614,14 @@ ${lines4.join("\n")}
     prepared = null;
     #generation = 0;
     // of resets: what was asked for before one is not shown after it
-    #asked = 0;
-    // changes and resets so far: a prepared run is shown for the newest only, and before the exact one
+    #changes = 0;
+    // and resets so far: a prepared run is shown for the newest only, and before the exact one
     constructor(owner, client2, acts) {
       this.owner = owner;
       this.client = client2;
       this.acts = acts;
     }
-    hear(signal) {
+    answerOthers(signal) {
       const owner = {};
       const answer = ({ detail }) => {
         const asked4 = { scene: this.acts.scene(), set: { ...this.values.good }, ...detail.message };
@@ -7639,11 +7639,11 @@ ${lines4.join("\n")}
       return this.client.state === "failed" ? this.prepared?.stops[target] : void 0;
     }
     async compute(changes2, at3) {
-      this.#asked += 1;
+      this.#changes += 1;
       if (this.client.state === "idle" || this.client.state === "starting") void this.#meanwhile();
       const run = await this.ask(changes2);
       if (!run) return;
-      this.#asked += 1;
+      this.#changes += 1;
       await this.acts.draw(run);
       await drawn(this.owner, at3, { ...this.values.good });
     }
@@ -7663,9 +7663,9 @@ ${lines4.join("\n")}
     become(changes2) {
       const back = this.values.replace(changes2);
       const done = this.compute(changes2, performance.now());
-      const asked4 = this.#asked;
+      const newest = this.#changes;
       return done.catch((error) => {
-        if (asked4 === this.#asked) back();
+        if (newest === this.#changes) back();
         throw error;
       });
     }
@@ -7705,16 +7705,16 @@ ${lines4.join("\n")}
     }
     async #meanwhile() {
       if (!this.prepared?.there) return;
-      const asked4 = this.#asked;
+      const newest = this.#changes;
       const found3 = await this.prepared.nearest(this.values.wanted).catch(() => null);
-      if (!found3?.header.ok || asked4 !== this.#asked) return;
+      if (!found3?.header.ok || newest !== this.#changes) return;
       this.values.good = found3.set;
       const { header, numbers } = found3;
       await this.acts.draw({ header, trajectory: fromWire(header, numbers) });
     }
     reset() {
       this.#generation += 1;
-      this.#asked += 1;
+      this.#changes += 1;
       this.values.reset();
       this.owner.dispatchEvent(new Event(RESET, { bubbles: true }));
     }
@@ -10707,7 +10707,7 @@ ${isForce && html2`<p class="carts-area-note carts-quiet">\u00a0</p>`}
         this.#leaving = new AbortController();
         const { signal } = this.#leaving;
         this.#live.listen(signal);
-        this.#runs.hear(signal);
+        this.#runs.answerOthers(signal);
         addEventListener("beforeprint", () => this.#view?.print(true), { signal });
         addEventListener("afterprint", () => this.#view?.print(false), { signal });
       }

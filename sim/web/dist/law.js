@@ -611,12 +611,12 @@
       ];
     }
   };
-  function poles(key, x, way, { kind: kind2, track }) {
+  function poles(key, x, direction, { kind: kind2, track }) {
     const top = track - 40;
     return POLES.slice(0, kind2 === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
-      const start = x + way * k * POLE;
-      const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
-      const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 13) };
+      const start = x + direction * k * POLE;
+      const d = `M${px(start)} ${px(top)}h${px(direction * POLE)}v16h${px(-direction * POLE)}Z`;
+      const letter = { text: pole, x: px(start + direction * POLE / 2), y: px(top + 13) };
       return [
         { key: `${key} ${pole}`, cls, d },
         { key: `${key} ${pole} letter`, cls: "carts-pole", anchor: "middle", ...letter }
@@ -646,18 +646,18 @@
       const { carts, numbers } = effect;
       const name = String(carts[0]);
       const y = layout.track;
-      const way = (numbers.force ?? 0) >= 0 ? 1 : -1;
+      const direction = (numbers.force ?? 0) >= 0 ? 1 : -1;
       const body2 = header.bodies.find((one) => one.name === name);
-      const side = centre(name) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2);
+      const side = centre(name) - direction * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2);
       if (isHand(effect)) {
         const past = t - end(effect);
         if (past >= 0 && goesOn(effect, header)) return [];
-        const gone = past < 0 ? 0 : way * ROOM * Math.min(1, past / BACK);
+        const gone = past < 0 ? 0 : direction * ROOM * Math.min(1, past / BACK);
         const left = past < 0 ? side : side - (place(run, name, t) - place(run, name, end(effect))) * layout.scale;
-        return [{ key, cls: "carts-hand carts-palm", d: hand(left - gone, y - MIDDLE, way) }];
+        return [{ key, cls: "carts-hand carts-palm", d: hand(left - gone, y - MIDDLE, direction) }];
       }
-      const x = side - 3 * way;
-      const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
+      const x = side - 3 * direction;
+      const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-direction * 26)}`;
       return [{ key, cls: "carts-hand", behind: true, d }];
     },
     marks({ carts, numbers: { from = 0, until: end2, force = 0 } }, agent2, until, told3) {
@@ -680,7 +680,7 @@
   function place({ trajectory: { t: times2, x, v } }, name, t) {
     return valueAt(times2, x[name] ?? [], v[name] ?? [], t);
   }
-  function hand(x, y, way) {
+  function hand(x, y, direction) {
     let across = true;
     let absolute = true;
     return HAND.replace(/[MLCvhZ]|-?[\d.]+/g, (part) => {
@@ -690,7 +690,7 @@
         return part;
       }
       const number = Number(part);
-      const shown = across ? way * number + (absolute ? x : 0) : number + (absolute ? y : 0);
+      const shown = across ? direction * number + (absolute ? x : 0) : number + (absolute ? y : 0);
       across = absolute ? !across : across;
       return ` ${px(shown)}`;
     });
@@ -755,9 +755,9 @@
     const ended = mine.find(({ kind: kind2, t }) => kind2 === "separate" && t > begun2.t);
     return [begun2.t, ended?.t ?? Infinity];
   }
-  function edge({ header, trajectory }, name, t, way = 1) {
+  function edge({ header, trajectory }, name, t, direction = 1) {
     const half = (header.bodies.find((body2) => body2.name === name)?.length ?? 0) / 2;
-    return valueAt(trajectory.t, trajectory.x[name] ?? [], trajectory.v[name] ?? [], t) + way * half;
+    return valueAt(trajectory.t, trajectory.x[name] ?? [], trajectory.v[name] ?? [], t) + direction * half;
   }
 
   // ../effects/spring/view.js

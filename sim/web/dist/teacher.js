@@ -2095,12 +2095,12 @@ ${table2(facts)}
       ];
     }
   };
-  function poles(key, x, way, { kind: kind2, track }) {
+  function poles(key, x, direction, { kind: kind2, track }) {
     const top = track - 40;
     return POLES.slice(0, kind2 === "wide" ? 2 : 1).flatMap(([pole = "", cls = ""], k) => {
-      const start = x + way * k * POLE;
-      const d = `M${px(start)} ${px(top)}h${px(way * POLE)}v16h${px(-way * POLE)}Z`;
-      const letter = { text: pole, x: px(start + way * POLE / 2), y: px(top + 13) };
+      const start = x + direction * k * POLE;
+      const d = `M${px(start)} ${px(top)}h${px(direction * POLE)}v16h${px(-direction * POLE)}Z`;
+      const letter = { text: pole, x: px(start + direction * POLE / 2), y: px(top + 13) };
       return [
         { key: `${key} ${pole}`, cls, d },
         { key: `${key} ${pole} letter`, cls: "carts-pole", anchor: "middle", ...letter }
@@ -2205,18 +2205,18 @@ ${table2(facts)}
       const { carts, numbers } = effect;
       const name = String(carts[0]);
       const y = layout.track;
-      const way = (numbers.force ?? 0) >= 0 ? 1 : -1;
+      const direction = (numbers.force ?? 0) >= 0 ? 1 : -1;
       const body2 = header.bodies.find((one) => one.name === name);
-      const side2 = centre(name) - way * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2);
+      const side2 = centre(name) - direction * ((body2 ? bodyWidth(body2) * layout.scale : 0) / 2);
       if (isHand(effect)) {
         const past = t - end(effect);
         if (past >= 0 && goesOn(effect, header)) return [];
-        const gone = past < 0 ? 0 : way * ROOM * Math.min(1, past / BACK);
+        const gone = past < 0 ? 0 : direction * ROOM * Math.min(1, past / BACK);
         const left = past < 0 ? side2 : side2 - (place2(run, name, t) - place2(run, name, end(effect))) * layout.scale;
-        return [{ key, cls: "carts-hand carts-palm", d: hand(left - gone, y - MIDDLE, way) }];
+        return [{ key, cls: "carts-hand carts-palm", d: hand(left - gone, y - MIDDLE, direction) }];
       }
-      const x = side2 - 3 * way;
-      const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-way * 26)}`;
+      const x = side2 - 3 * direction;
+      const d = `M${px(x)} ${px(y - 38)}v14M${px(x)} ${px(y - 31)}h${px(-direction * 26)}`;
       return [{ key, cls: "carts-hand", behind: true, d }];
     },
     marks({ carts, numbers: { from = 0, until: end2, force = 0 } }, agent2, until, told3) {
@@ -2239,7 +2239,7 @@ ${table2(facts)}
   function place2({ trajectory: { t: times2, x, v } }, name, t) {
     return valueAt2(times2, x[name] ?? [], v[name] ?? [], t);
   }
-  function hand(x, y, way) {
+  function hand(x, y, direction) {
     let across2 = true;
     let absolute = true;
     return HAND.replace(/[MLCvhZ]|-?[\d.]+/g, (part) => {
@@ -2249,7 +2249,7 @@ ${table2(facts)}
         return part;
       }
       const number = Number(part);
-      const shown2 = across2 ? way * number + (absolute ? x : 0) : number + (absolute ? y : 0);
+      const shown2 = across2 ? direction * number + (absolute ? x : 0) : number + (absolute ? y : 0);
       across2 = absolute ? !across2 : across2;
       return ` ${px(shown2)}`;
     });
@@ -2314,9 +2314,9 @@ ${table2(facts)}
     const ended2 = mine.find(({ kind: kind2, t }) => kind2 === "separate" && t > begun2.t);
     return [begun2.t, ended2?.t ?? Infinity];
   }
-  function edge2({ header, trajectory }, name, t, way = 1) {
+  function edge2({ header, trajectory }, name, t, direction = 1) {
     const half = (header.bodies.find((body2) => body2.name === name)?.length ?? 0) / 2;
-    return valueAt2(trajectory.t, trajectory.x[name] ?? [], trajectory.v[name] ?? [], t) + way * half;
+    return valueAt2(trajectory.t, trajectory.x[name] ?? [], trajectory.v[name] ?? [], t) + direction * half;
   }
 
   // ../effects/spring/view.js
