@@ -198,3 +198,27 @@ def test_a_check_gives_one_hint_and_no_error(tmp_path: Any) -> None:
     assert done.output.endswith("no findings\n")
     found = json.loads(CliRunner().invoke(main, ["check", "--json", str(scenes)]).stdout)
     assert [(row["severity"], row["code"]) for row in found] == [("hint", "relevance")]
+
+
+@pytest.mark.parametrize("until", [1.0005, 1.01])
+def test_a_contact_a_moment_later_is_no_other_velocity_at_the_end(until: float) -> None:
+    """At 1 s the two touch; in air half a millisecond later, when the shorter run is over."""
+    carts = {
+        "A": {"mass": 1, "position": 0.3, "velocity": 0.5},
+        "B": {"mass": 1, "position": 1.0},
+    }
+    plain = {"carts": carts, "contact": {"law": "instant"}, "until": until}
+    found = rung(plain, "drag")
+    assert found.changes is not None
+    assert not found.visible
+    assert found.changes.amount > 0.0
+
+
+def test_two_runs_are_compared_up_to_where_the_shorter_one_was_stopped() -> None:
+    """Bumpers have three events in a contact, sudden ones have one: these go on for longer."""
+    carts = {"A": {"mass": 0.001, "position": 0.5, "velocity": 10}}
+    track = {"left": "wall", "right": "wall", "length": 1.2}
+    plain = {"carts": carts, "track": track, "contact": {"stiffness": 1e12}, "until": 200.03}
+    found = rung(plain, "contact")
+    assert found.changes is not None and found.changes.at < 170.0
+    assert found.changes.relative < 0.01

@@ -1,8 +1,10 @@
 """Where two runs of nearly the same scene differ most, measured on the graph that shows it.
 
-Places are compared at the same times; they never jump. Velocities are compared at the end and after
-the same contact of both runs: a contact a moment later is no other velocity. Both are told as parts
-of their graph's height, which goes from the least to the greatest value, nought included.
+Both are looked at up to where the shorter one ends. Places are compared at the same times; they
+never jump. Velocities are compared after the same contact of both runs, and at the end those of
+carts that have had the same contacts by then: a contact a moment later is no other velocity. Both
+are told as parts of their graph's height, which goes from the least to the greatest value, nought
+included.
 """
 
 from __future__ import annotations
@@ -28,16 +30,25 @@ width of its curves. Two runs that are nearer than this have one curve."""
 ROUNDING = 1e-12
 """Of a graph's height. Less than this is what arithmetic leaves of nothing."""
 
+Met = dict[str, tuple[Counter[tuple[str, ...]], set[tuple[str, ...]]]]
+"""By cart."""
+
 Speeds = dict[tuple[str, tuple[str, ...], int], tuple[float, dict[str, float]]]
 
 
 @dataclass(frozen=True, slots=True)
 class Seen:
-    """What is looked at of one run, and the heights of its two graphs [m], [m/s]."""
+    """What is looked at of one run up to `times[-1]`, and the heights of its two graphs [m], [m/s].
 
-    run: Run
+    `places` [m] are those at `times` [s], `v` [m/s] the velocities at the last of them, `met` what
+    has happened to each cart by then.
+    """
+
+    names: tuple[str, ...]
     times: tuple[float, ...]
     places: tuple[tuple[float, ...], ...]
+    v: tuple[float, ...]
+    met: Met
     after: Speeds
     heights: tuple[float, float]
 
@@ -62,18 +73,44 @@ class Difference:
         return self.relative <= ROUNDING
 
 
-def seen(run: Run, times: tuple[float, ...] | None = None) -> Seen:
-    """A run that kept motion and events, looked at at `times` [s], by default equally spaced."""
-    times = times or tuple(run.t * k / INSTANTS for k in range(1, INSTANTS))
-    sampled = [sample(run, min(t, run.t)) for t in times]
-    places = (*(tuple(x) for x, _ in sampled), run.x)
+def seen(run: Run, until: float) -> Seen:
+    """A run that kept motion and events, looked at up to `until` s, at equally spaced times."""
+    times = (*(until * k / INSTANTS for k in range(1, INSTANTS)), until)
+    sampled = [sample(run, t) for t in times[:-1]]
+    end = (run.x, run.v) if until >= run.t else sample(run, until)
+    sampled.append((list(end[0]), list(end[1])))
     after = _after_contacts(run)
     carts = run.scene.carts
-    all_x = [0.0, *(c.position for c in carts), *(x for row in places for x in row)]
-    all_v = [0.0, *(c.velocity for c in carts), *run.v, *(v for _, row in sampled for v in row)]
+    all_x = [0.0, *(c.position for c in carts), *(x for row, _ in sampled for x in row)]
+    all_v = [0.0, *(c.velocity for c in carts), *(v for _, row in sampled for v in row)]
     all_v += [v for _, speeds in after.values() for v in speeds.values()]
     heights = (max(all_x) - min(all_x), max(all_v) - min(all_v))
-    return Seen(run, (*times, run.t), places, after, heights)
+    return Seen(
+        tuple(cart.name for cart in carts),
+        times,
+        tuple(tuple(x) for x, _ in sampled),
+        tuple(sampled[-1][1]),
+        _met(run, until),
+        after,
+        heights,
+    )
+
+
+def _met(run: Run, until: float) -> Met:
+    """How often each cart has touched whom up to `until` s, and whom it touches then."""
+    found: Met = {cart.name: (Counter(), set()) for cart in run.scene.carts}
+    for event in run.record.events:
+        for body in event.bodies if event.t <= until else ():
+            if body not in found:  # an end of the track
+                continue
+            touches, pressed = found[body]
+            if event.kind == "contact":
+                touches[event.bodies] += 1
+                if not event.impulse:  # one that lasts
+                    pressed.add(event.bodies)
+            elif event.kind == "separate":
+                pressed.discard(event.bodies)
+    return found
 
 
 def _after_contacts(run: Run) -> Speeds:
@@ -98,14 +135,15 @@ def difference(own: Seen, other: Seen) -> Difference:
 
 def _differences(own: Seen, other: Seen) -> Iterator[Difference]:
     """That of every place and velocity that is compared, after one of nothing."""
-    names = [cart.name for cart in own.run.scene.carts]
     height_x, height_v = own.heights
-    yield Difference(f"v.{names[0]}", own.run.t, 0.0, 0.0)
+    until = own.times[-1]
+    yield Difference(f"v.{own.names[0]}", until, 0.0, 0.0)
     for t, mine, theirs in zip(own.times, own.places, other.places, strict=True):
-        for name, a, b in zip(names, mine, theirs, strict=True):
+        for name, a, b in zip(own.names, mine, theirs, strict=True):
             yield _part(f"x.{name}", t, abs(a - b), height_x)
-    for name, a, b in zip(names, own.run.v, other.run.v, strict=True):
-        yield _part(f"v.{name}", own.run.t, abs(a - b), height_v)
+    for name, a, b in zip(own.names, own.v, other.v, strict=True):
+        if own.met[name] == other.met[name]:
+            yield _part(f"v.{name}", until, abs(a - b), height_v)
     for key, (t, speeds) in own.after.items():
         if key in other.after:
             for name, v in speeds.items():
