@@ -37,6 +37,12 @@ class Exact:
     formula: bool  # one contact of two carts: `outcome` is the bare formula
     proved: bool = False  # x and v are the middles of a certificate, not of a run
 
+    @property
+    def in_play(self) -> float:
+        """J, the larger of the energies at start and end: that of a spring or magnets may be below
+        nought, and a push brings in what was not there. 1 where there is none."""
+        return max(abs(self.initial), abs(self.energy)) or 1.0
+
 
 def exact(scene: Scene) -> Exact:
     """Solve it once, and choose the cheapest way to do it again."""

@@ -59,9 +59,9 @@ clock = (
 
 @dataclass(frozen=True, slots=True)
 class CostRow:
-    """One method at one step [s] or tolerance; errors in SI, `energy_error` of the initial energy.
+    """One method at one step [s] or tolerance; errors in SI, `energy_error` of `Exact.in_play`.
 
-    `energy_error` has the sign of the worst run: above nought the method made energy. An error is
+    `energy_error` is that of the energy at the end, of the worst run, with its sign. An error is
     infinite where a run ended beyond all numbers. `delivered`: least and greatest restitution,
     where the scene is one contact of two carts.
     """
@@ -119,7 +119,7 @@ def exact_rows(scene: Scene, truth: Exact) -> list[CostRow]:
     first = replace(first, error_v=far(v, truth.v), error_x=far(x, truth.x))
     if not truth.formula:
         return [first]
-    energy = (kinetic(scene, v) - truth.energy) / (truth.initial or 1.0)
+    energy = (kinetic(scene, v) - truth.energy) / truth.in_play
     e = _delivered(scene, v)
     first = replace(first, energy_error=energy, delivered=(e, e), delivered_e=e)
     solved = run(scene, keep_events=False, keep_motion=False)
@@ -133,7 +133,7 @@ def exact_rows(scene: Scene, truth: Exact) -> list[CostRow]:
         time_ratio=ratio(general, truth.outcome),
         error_v=far(solved.v, truth.v),
         error_x=far(solved.x, truth.x),
-        energy_error=(kinetic(scene, solved.v) - truth.energy) / (truth.initial or 1.0),
+        energy_error=(kinetic(scene, solved.v) - truth.energy) / truth.in_play,
     )
     return [first, second]
 
@@ -180,7 +180,7 @@ class _Worst:
         ]
         self.v, self.x = max(self.v, far(v, truth.v)), max(self.x, far(x, truth.x))
         energy = kinetic(scene, v) + _stored(run, s, v, memory) - truth.energy
-        error = endless(energy / (truth.initial or 1.0))
+        error = endless(energy / truth.in_play)
         self.energy = error if abs(error) > abs(self.energy) else self.energy
         if truth.formula:
             self.e.append(_delivered(scene, v))

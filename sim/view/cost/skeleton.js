@@ -130,7 +130,7 @@ function table(rows, until) {
     tr("forces computed"),
     tr("time"),
     tr("error of v in m/s"),
-    tr("error of energy, of that at the start"),
+    tr("error of energy, of the larger of start and end"),
   ];
   return html`<details class="carts-more carts-cost-table"><summary>${tr("Table of all measurements")}</summary><div class="carts-scroll"><table class="carts-table"><thead><tr>${heads.map((head) => html`<th scope="col">${head}</th>`)}</tr></thead><tbody>${lines}</tbody></table></div></details>`;
 }

@@ -14,13 +14,19 @@ import { METHODS } from "./methods.js";
  */
 
 const [MANY, HUGE] = [1000, 10_000];
+const FEW = 10; // times the energy of the start, where a push or magnets bring in more
 /** What is shown first. */
 export const FIRST = { method: "euler", parts: 103 };
 const ENDLESS = tr("beyond all numbers");
 
 /** @param {number} part @param {number} whole */
 function percent(part, whole) {
-  return `${plain(whole ? (100 * part) / whole : 100, 1)} %`;
+  return `${plain((100 * part) / whole, 1)} %`;
+}
+
+/** So that two that differ look different. @param {number} value */
+function joules(value) {
+  return `${Math.abs(value) < 0.1 ? short(value) : plain(value, 3)} J`;
 }
 
 /** Numbers that no cart could have as powers of ten. @param {number} value @param {number} decimals */
@@ -39,12 +45,15 @@ export function told({ v, energy, evaluations }) {
     ]);
   });
   const { initial, stepped, exact, imbalance } = energy;
+  const part = initial > 0 && exact < FEW * initial;
+  /** @param {number} value */
+  const amount = (value) => (part ? percent(value, initial) : joules(value));
   return [
     ...speeds,
     [
-      tr("energy at the end, of that at the start"),
-      stepped === null ? ENDLESS : percent(stepped, initial),
-      percent(exact, initial),
+      part ? tr("energy at the end, of that at the start") : tr("energy at the end"),
+      stepped === null ? ENDLESS : amount(stepped),
+      amount(exact),
     ],
     [tr("energy made from nothing"), imbalance === null ? ENDLESS : `${short(imbalance)} J`, "0 J"],
     [tr("times that all forces were computed"), String(evaluations), "0"],

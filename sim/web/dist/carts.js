@@ -172,9 +172,13 @@
 
   // ../view/cost/words.js
   var [MANY, HUGE] = [1e3, 1e4];
+  var FEW = 10;
   var ENDLESS = tr("beyond all numbers");
   function percent(part, whole) {
-    return `${plain(whole ? 100 * part / whole : 100, 1)} %`;
+    return `${plain(100 * part / whole, 1)} %`;
+  }
+  function joules(value) {
+    return `${Math.abs(value) < 0.1 ? short(value) : plain(value, 3)} J`;
   }
   function plain(value, decimals) {
     return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
@@ -189,12 +193,14 @@
       ];
     });
     const { initial, stepped, exact, imbalance } = energy;
+    const part = initial > 0 && exact < FEW * initial;
+    const amount3 = (value) => part ? percent(value, initial) : joules(value);
     return [
       ...speeds,
       [
-        tr("energy at the end, of that at the start"),
-        stepped === null ? ENDLESS : percent(stepped, initial),
-        percent(exact, initial)
+        part ? tr("energy at the end, of that at the start") : tr("energy at the end"),
+        stepped === null ? ENDLESS : amount3(stepped),
+        amount3(exact)
       ],
       [tr("energy made from nothing"), imbalance === null ? ENDLESS : `${short(imbalance)} J`, "0 J"],
       [tr("times that all forces were computed"), String(evaluations), "0"]
@@ -5934,12 +5940,12 @@
   function amount2(value, unit) {
     return value === null ? BEYOND : `${short(value, 2)} ${unit}`;
   }
-  function made({ made: joules, initial }) {
-    if (joules === null) return BEYOND;
-    if (!initial) return `${short(joules, 2)} J`;
-    const part = joules / initial;
+  function made({ made: joules2, initial }) {
+    if (joules2 === null) return BEYOND;
+    if (!initial) return `${short(joules2, 2)} J`;
+    const part = joules2 / initial;
     const size = {
-      energy: `${short(joules, 2)} J`,
+      energy: `${short(joules2, 2)} J`,
       part: short(part, 2),
       percent: short(100 * part, 2)
     };
@@ -6620,7 +6626,7 @@
   }
 
   // ../view/effects-forces.js
-  var FEW = 3;
+  var FEW2 = 3;
   function forcesAt({ header, trajectory }, t3, always = false) {
     const found3 = [];
     for (const kind2 of kindsOnOne(header)) {
@@ -7842,12 +7848,12 @@ ${lines4.join("\n")}
   }
 
   // ../view/instant.js
-  var FEW2 = 6;
+  var FEW3 = 6;
   function instant(run, t3, view, camera, forces2) {
     const { header, trajectory } = run;
     const { decimals } = view;
     const time = tr("At {time} s:", { time: fixed(t3, decimals.t ?? 3) });
-    const names = header.bodies.slice(0, FEW2).map(({ name }) => name);
+    const names = header.bodies.slice(0, FEW3).map(({ name }) => name);
     const carts = names.map((name) => {
       const [x2, v2, a2] = [trajectory.x[name], trajectory.v[name], trajectory.a[name]];
       const place4 = valueAt(trajectory.t, x2 ?? [], v2 ?? [], t3) - camera * t3;
@@ -8498,7 +8504,7 @@ ${lines4.join("\n")}
   var WIDEST = 9.2;
   var LETTER = 8;
   var BELOW_LINE = 5;
-  var [FEW3, ENOUGH, MANY4] = [5, 4, 8];
+  var [FEW4, ENOUGH, MANY4] = [5, 4, 8];
   var HARDLY = 0.05;
   var NEAR2 = 0.7;
   var LONG3 = 8;
@@ -8536,7 +8542,7 @@ ${lines4.join("\n")}
     return { time: span(window[0], window[1], 6), value: readable(values[0], values[1]) };
   }
   function readable(low, high) {
-    const plain3 = axis(low, high, FEW3);
+    const plain3 = axis(low, high, FEW4);
     const found3 = ticks2(plain3);
     const hardly = HARDLY * (high - low);
     const sides = (low >= -hardly || found3.some((v2) => v2 < 0)) && (high <= hardly || found3.some((v2) => v2 > 0));
@@ -9499,7 +9505,7 @@ ${lines4.join("\n")}
   };
   function arrows(run, layout, full, t3, centre) {
     const styles = new Map(run.header.bodies.map(({ name }, i2) => [name, `carts-${styleOf(i2)}`]));
-    const named3 = run.header.bodies.length <= FEW;
+    const named3 = run.header.bodies.length <= FEW2;
     const pieces = [];
     const lowest = /* @__PURE__ */ new Map();
     for (const force2 of forcesAt(run, t3)) {

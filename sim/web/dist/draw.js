@@ -10582,10 +10582,14 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<t
 
   // ../view/cost/words.js
   var [MANY, HUGE] = [1e3, 1e4];
+  var FEW = 10;
   var FIRST2 = { method: "euler", parts: 103 };
   var ENDLESS = tr("beyond all numbers");
   function percent(part, whole) {
-    return `${plain(whole ? 100 * part / whole : 100, 1)} %`;
+    return `${plain(100 * part / whole, 1)} %`;
+  }
+  function joules(value) {
+    return `${Math.abs(value) < 0.1 ? short(value) : plain(value, 3)} J`;
   }
   function plain(value, decimals) {
     return Math.abs(value) < HUGE ? fixed(value, decimals) : short(value);
@@ -10600,12 +10604,14 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<t
       ];
     });
     const { initial, stepped, exact, imbalance } = energy;
+    const part = initial > 0 && exact < FEW * initial;
+    const amount2 = (value) => part ? percent(value, initial) : joules(value);
     return [
       ...speeds,
       [
-        tr("energy at the end, of that at the start"),
-        stepped === null ? ENDLESS : percent(stepped, initial),
-        percent(exact, initial)
+        part ? tr("energy at the end, of that at the start") : tr("energy at the end"),
+        stepped === null ? ENDLESS : amount2(stepped),
+        amount2(exact)
       ],
       [tr("energy made from nothing"), imbalance === null ? ENDLESS : `${short(imbalance)} J`, "0 J"],
       [tr("times that all forces were computed"), String(evaluations), "0"]
@@ -10720,7 +10726,7 @@ ${y.map(([at, text3]) => html`<path class="carts-grid" d="M${LEFT} ${at}H${RIGHT
       tr("forces computed"),
       tr("time"),
       tr("error of v in m/s"),
-      tr("error of energy, of that at the start")
+      tr("error of energy, of the larger of start and end")
     ];
     return html`<details class="carts-more carts-cost-table"><summary>${tr("Table of all measurements")}</summary><div class="carts-scroll"><table class="carts-table"><thead><tr>${heads2.map((head) => html`<th scope="col">${head}</th>`)}</tr></thead><tbody>${lines3}</tbody></table></div></details>`;
   }
@@ -12076,7 +12082,7 @@ ${table3(facts)}
   }
 
   // ../view/effects-forces.js
-  var FEW = 3;
+  var FEW2 = 3;
   function forcesAt({ header, trajectory }, t, always = false) {
     const found = [];
     for (const kind2 of kindsOnOne(header)) {
@@ -12346,7 +12352,7 @@ ${rows}</tbody></table></div>
   var WIDEST = 9.2;
   var LETTER = 8;
   var BELOW_LINE = 5;
-  var [FEW2, ENOUGH, MANY2] = [5, 4, 8];
+  var [FEW3, ENOUGH, MANY2] = [5, 4, 8];
   var HARDLY = 0.05;
   var NEAR = 0.7;
   var LONG = 8;
@@ -12384,7 +12390,7 @@ ${rows}</tbody></table></div>
     return { time: span(window2[0], window2[1], 6), value: readable(values[0], values[1]) };
   }
   function readable(low, high) {
-    const plain2 = axis(low, high, FEW2);
+    const plain2 = axis(low, high, FEW3);
     const found = ticks2(plain2);
     const hardly = HARDLY * (high - low);
     const sides = (low >= -hardly || found.some((v) => v < 0)) && (high <= hardly || found.some((v) => v > 0));
@@ -14955,7 +14961,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   };
   function arrows2(run, layout, full, t, centre) {
     const styles = new Map(run.header.bodies.map(({ name }, i) => [name, `carts-${styleOf(i)}`]));
-    const named2 = run.header.bodies.length <= FEW;
+    const named2 = run.header.bodies.length <= FEW2;
     const pieces = [];
     const lowest = /* @__PURE__ */ new Map();
     for (const force of forcesAt(run, t)) {
