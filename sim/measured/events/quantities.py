@@ -22,7 +22,7 @@ from sim.measured.events.sides import Speeds
 from sim.measured.events.together import Together
 from sim.measured.model.believable import TOO_WIDE, bounciness
 from sim.measured.model.known import BOUNCINESS, EACH_MASS, of_mass, of_ratio
-from sim.measured.model.quantity import Known, Untold, not_shown
+from sim.measured.model.quantity import Known, Untold, known_and_untold, not_shown
 from sim.scene.said import said
 
 LOSS = 0.018
@@ -124,16 +124,15 @@ def told_of(
 ) -> tuple[list[Known], list[Untold]]:
     """Known and untold quantities; every interval is finite and has a width. `beside`: how the
     distance grows afterwards, where the velocities alone tell no parting."""
-    known: list[Known] = []
-    untold: list[Untold] = []
+    found: list[Known | Untold] = []
 
     def add(key: str, name: str, function: Callable[[Values], float], unit: str) -> None:
-        known.append(_plain(speeds, key, name, function, unit))
+        found.append(_plain(speeds, key, name, function, unit))
 
     if outcome == "bounce":
-        untold += _bounciness(speeds, known, beside)
+        found.append(_bounciness(speeds, beside))
     ratio = mass_ratio(speeds, step, outcome, names, two)
-    (known if isinstance(ratio, Known) else untold).append(ratio)  # type: ignore[arg-type]
+    found.append(ratio)
     if outcome != "explosion":
         for k, name in enumerate(names):
             add(f"v_{'ab'[k]}", said("velocity of {cart} before", cart=name), _velocity(k), "m/s")
@@ -142,7 +141,7 @@ def told_of(
         add("energy_lost", said("energy lost per reduced mass"),
             lambda v: 0.5 * (v[0] - v[1]) ** 2, "J/kg")  # fmt: skip
         limit = beside.below(speeds.approach) if beside else None
-        untold.append(Untold("e", BOUNCINESS, _no_rebound(limit)))
+        found.append(Untold("e", BOUNCINESS, _no_rebound(limit)))
     else:
         for k, name in enumerate(names):
             add(
@@ -156,10 +155,9 @@ def told_of(
         add("energy_released", said("energy released per reduced mass"),
             lambda v: 0.5 * ((v[3] - v[2]) ** 2 - (v[1] - v[0]) ** 2), "J/kg")  # fmt: skip
         reason = said("the carts were together before: nothing is thrown back")
-        untold.append(Untold("e", BOUNCINESS, reason))
-    known.append(_middle(contact))
-    untold += _weighed(ratio, names, masses or {}, known)
-    return known, untold
+        found.append(Untold("e", BOUNCINESS, reason))
+    found += [_middle(contact), *_weighed(ratio, names, masses or {})]
+    return known_and_untold(found)
 
 
 def _no_rebound(limit: float | None) -> str:
@@ -190,7 +188,7 @@ def _plain(
     return Known(key, name, value, value - HALF * sd, value + HALF * sd, sd, unit)
 
 
-def _bounciness(speeds: Speeds, known: list[Known], beside: Together | None) -> list[Untold]:
+def _bounciness(speeds: Speeds, beside: Together | None) -> Known | Untold:
     """e within 0 and 1. Where only the distance tells that the carts part, its e, and all that
     either allows."""
     one = _plain(speeds, "e", BOUNCINESS, lambda v: (v[3] - v[2]) / (v[0] - v[1] or NO_SPEED), "")
@@ -198,11 +196,7 @@ def _bounciness(speeds: Speeds, known: list[Known], beside: Together | None) -> 
         e, least, most = (w / speeds.approach for w in (beside.value, beside.low, beside.high))
         one = replace(one, value=e, low=min(one.low, least), high=max(one.high, most))
         one = replace(one, sd=0.5 * (one.high - one.low) / HALF)
-    cut = bounciness(one)
-    if isinstance(cut, Untold):
-        return [cut]
-    known.append(cut)
-    return []
+    return bounciness(one)
 
 
 def mass_ratio(
@@ -227,9 +221,9 @@ def mass_ratio(
 
 
 def _weighed(
-    ratio: Known | Untold, names: tuple[str, str], masses: Mapping[str, float], known: list[Known]
-) -> list[Untold]:
-    """The other mass where one is weighed."""
+    ratio: Known | Untold, names: tuple[str, str], masses: Mapping[str, float]
+) -> list[Known | Untold]:
+    """The other mass where one is weighed; where none is, that no mass can be told."""
     if not masses:
         return [Untold("mass", EACH_MASS, not_shown(said("both masses")))]
     if isinstance(ratio, Untold) or len(masses) > 1:
@@ -239,5 +233,4 @@ def _weighed(
     ends = [ratio.value, ratio.low, ratio.high]
     value, *sides = [kg * q if other else kg / q for q in ends]
     sd = ratio.sd / ratio.value * value
-    known.append(Known("mass", of_mass(names[other]), value, min(sides), max(sides), sd, "kg"))
-    return []
+    return [Known("mass", of_mass(names[other]), value, min(sides), max(sides), sd, "kg")]

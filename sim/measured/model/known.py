@@ -12,7 +12,7 @@ import math
 from sim.measured.model.fit import Fit
 from sim.measured.model.lasting import by_any_law
 from sim.measured.model.motion import GRAVITY, Motion
-from sim.measured.model.quantity import Known, Untold, not_shown
+from sim.measured.model.quantity import Known, Untold, known_and_untold, not_shown
 from sim.measured.model.unknowns import LEANS, RUBS
 from sim.scene.said import Said, said
 
@@ -51,11 +51,10 @@ def told(
     """Everything that this fit says, and what it does not. `mass`: of one cart, in kg; `smoothed`:
     in s, how long a logger may make a contact look by itself."""
     p = fit.parameters
-    found: list[Known] = []
-    untold: list[Untold] = []
+    found: list[Known | Untold] = []
     found.append(_plain(fit, "e", BOUNCINESS, p.e, {"e": 1.0}, ""))
     ratio = of_ratio(names)
-    _add(found, untold, _log(fit, "mass_ratio", ratio, p.ratio, {"ln_ratio": 1.0}, ""))
+    found.append(_log(fit, "mass_ratio", ratio, p.ratio, {"ln_ratio": 1.0}, ""))
     for k, name in enumerate(names):
         if p.rests[k]:
             continue  # it is known to stand still
@@ -73,8 +72,7 @@ def told(
     shortest = lasts.low if isinstance(lasts, Known) else fit.duration
     by_device = min(shortest, fit.duration) < smoothed
     swing = _log(fit, "w0", SWING, p.w0, stiff, "1/s")
-    _add(found, untold, _no_device(lasts, by_device))
-    _add(found, untold, _no_device(swing, by_device))
+    found += [_no_device(lasts, by_device), _no_device(swing, by_device)]
     for k, name in enumerate(names) if fit.asked.effect in RUBS else ():
         slopes = {f"friction{k + 1}": 1.0}
         what = said("deceleration of {cart} by friction", cart=name)
@@ -84,8 +82,8 @@ def told(
         slopes = {"tilt": 1.0}
         what = said("acceleration by the tilt")
         found.append(_plain(fit, "tilt", what, p.tilt, slopes, "m/s²"))
-    _masses(fit, names, mass, found, untold, by_device=by_device)
-    return found, untold
+    found += _masses(fit, names, mass, by_device=by_device)
+    return known_and_untold(found)
 
 
 def _after(fit: Fit, names: tuple[str, str]) -> list[Known]:
@@ -121,40 +119,28 @@ def _masses(
     fit: Fit,
     names: tuple[str, str],
     mass: tuple[str, float] | None,
-    found: list[Known],
-    untold: list[Untold],
     *,
     by_device: bool,
-) -> None:
+) -> list[Known | Untold]:
     """The other mass and k if one mass is given, else why they are not there."""
     if mass is None:
         reason = not_shown(said("both masses and k"))
-        untold.append(Untold("mass", EACH_MASS, reason))
-        untold.append(Untold("k", STIFFNESS, reason))
-        return
+        return [Untold("mass", EACH_MASS, reason), Untold("k", STIFFNESS, reason)]
     weighed, kg = mass
     q, other = fit.parameters.ratio, 1 - names.index(weighed)
     sign = 1.0 if other == 1 else -1.0
     found_mass = _log(fit, "mass", of_mass(names[other]), kg * q**sign, {"ln_ratio": sign}, "kg")
-    _add(found, untold, found_mass)
     mass_a = kg if other == 1 else kg / q
     mu = mass_a * q / (1.0 + q)
     slope = 1.0 / (1.0 + q) if other == 1 else -q / (1.0 + q)
     k = _log(fit, "k", said("stiffness k"), mu * fit.parameters.w0**2,
              {"ln_w0": 2.0, "ln_ratio": slope}, "N/m")  # fmt: skip
-    _add(found, untold, _no_device(k, by_device))
+    return [found_mass, _no_device(k, by_device)]
 
 
 def _no_device(one: Known | Untold, by_device: bool) -> Known | Untold:
     """What a logger may have made by itself is not told."""
     return Untold(one.key, one.name, BY_DEVICE) if by_device and isinstance(one, Known) else one
-
-
-def _add(found: list[Known], untold: list[Untold], one: Known | Untold) -> None:
-    if isinstance(one, Known):
-        found.append(one)
-    else:
-        untold.append(one)
 
 
 def _plain(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from sim.scene.said import said
@@ -34,6 +35,13 @@ class Untold:
     key: str
     name: str
     reason: str
+
+
+def known_and_untold(found: Iterable[Known | Untold]) -> tuple[list[Known], list[Untold]]:
+    """Both kinds apart, each in the order it has."""
+    each = list(found)
+    known = [one for one in each if isinstance(one, Known)]
+    return known, [one for one in each if isinstance(one, Untold)]
 
 
 def not_shown(masses: str) -> str:
