@@ -222,6 +222,17 @@ def test_no_function_is_longer_than_one_can_hold_in_the_head() -> None:
     assert not long, f"above 60 lines: {long}"
 
 
+def test_no_function_takes_more_than_one_can_tell_apart() -> None:
+    many = {
+        f"{path.relative_to(ROOT)}:{node.lineno} {node.name}": count
+        for path in SIM.rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))
+        and (count := sum(map(len, (node.args.args, node.args.kwonlyargs)))) > 10
+    }
+    assert not many, f"above 10 parameters: {many}"
+
+
 def test_no_test_module_is_imported_by_another_module() -> None:
     """What two of them need has a module of its own, named by what it holds."""
     for path in (ROOT / "tests").rglob("*.py"):

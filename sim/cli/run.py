@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -22,6 +23,41 @@ if TYPE_CHECKING:
     from sim.scene import Scene
 
 METHODS = ("exact", *NAMES)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Options:
+    """As click hands them over; what each one means stands beside it at the command."""
+
+    method: str
+    step: float | None
+    rtol: float | None
+    as_json: bool
+    as_csv: bool
+    max_events: int
+    no_events: bool
+    certified: bool
+    world: str | None
+
+    @property
+    def stepped(self) -> bool:
+        """By a method, not exactly."""
+        return self.method != "exact"
+
+    def only_together(self) -> None:
+        """Refuses options that exclude each other, whatever the scene."""
+        if self.as_json and self.as_csv:
+            raise click.UsageError("--json and --csv exclude each other.")
+        if self.step is not None and self.method in ("exact", *ADAPTIVE):
+            raise click.UsageError(
+                f"--step does not go with --method {self.method}: it has no fixed step."
+            )
+        if self.rtol is not None and self.method not in ADAPTIVE:
+            raise click.UsageError("--rtol goes with --method rk45 or adaptive.")
+        if self.certified and (self.as_csv or self.stepped):
+            raise click.UsageError("--certify goes with the exact run, as text or with --json.")
+        if self.world is not None and (self.certified or self.stepped):
+            raise click.UsageError("--world goes with no method and no certificate.")
 
 
 @click.command("run")
@@ -65,19 +101,7 @@ METHODS = ("exact", *NAMES)
 )
 @click.option("--no-events", is_flag=True, help="Count events per kind instead of listing them.")
 @click.pass_context
-def command(
-    ctx: click.Context,
-    scene: str,
-    method: str,
-    step: float | None,
-    rtol: float | None,
-    as_json: bool,
-    as_csv: bool,
-    max_events: int,
-    no_events: bool,
-    certified: bool,
-    world: str | None,
-) -> None:
+def command(ctx: click.Context, /, scene: str, **options: Any) -> None:
     """Run a scene and say what happened.
 
     SCENE is a scene file, or LESSON.md#ID of a lesson; - reads standard input.
@@ -89,37 +113,40 @@ def command(
     carts run my-scene.yml --certify
     carts run my-scene.yml --world bigger-pushes-more
     """
-    if as_json and as_csv:
-        raise click.UsageError("--json and --csv exclude each other.")
-    _of_method(method, step, rtol)
-    if certified and (as_csv or method != "exact"):
-        raise click.UsageError("--certify goes with the exact run, as text or with --json.")
-    if world is not None:
-        if certified or method != "exact":
-            raise click.UsageError("--world goes with no method and no certificate.")
+    wanted = Options(**options)
+    wanted.only_together()
+    as_json, as_csv = wanted.as_json, wanted.as_csv
+    if wanted.world is not None:
         _no_others(ctx, ("max_events", "no_events"), "a world")
-        in_a_world(scene, world, as_json=as_json, as_csv=as_csv)
+        in_a_world(scene, wanted.world, as_json=as_json, as_csv=as_csv)
         return
     description = scene_file.read(scene)
     if description.written:
-        if certified or method != "exact":
+        if wanted.certified or wanted.stepped:
             raise click.UsageError("A law of your own goes with no method and no certificate.")
         _no_others(ctx, ("max_events", "no_events"), "a law of your own")
         by_own_law(scene, description, as_json=as_json, as_csv=as_csv)
         return
-    if method != "exact":
+    if wanted.stepped:
         _no_others(ctx, ("max_events",), "a stepping method")
-        result = by_method(scene, description, method, step, rtol, keep_events=not no_events)
-        tell_stepped(result, method, as_json=as_json, as_csv=as_csv)
+        result = by_method(
+            scene,
+            description,
+            wanted.method,
+            wanted.step,
+            wanted.rtol,
+            keep_events=not wanted.no_events,
+        )
+        tell_stepped(result, wanted.method, as_json=as_json, as_csv=as_csv)
         return
     finished = run_on_terminal(
         scene,
         description,
-        max_events=max_events,
-        keep_events=not no_events,
-        keep_motion=as_csv or not no_events,
+        max_events=wanted.max_events,
+        keep_events=not wanted.no_events,
+        keep_motion=as_csv or not wanted.no_events,
     )
-    certificate = _certificate(description) if certified else None
+    certificate = _certificate(description) if wanted.certified else None
     if as_csv:
         click.echo(columns_as_csv(trajectory(finished)), nl=False)
     else:
@@ -135,14 +162,6 @@ def _tell(finished: Run, certificate: dict[str, Any] | None, *, as_json: bool) -
     click.echo(run_as_text(finished))
     if certificate is not None:
         click.echo(f"\n{certificate_as_text(certificate)}")
-
-
-def _of_method(method: str, step: float | None, rtol: float | None) -> None:
-    """Refuses a step or a tolerance that this method does not have."""
-    if step is not None and method in ("exact", *ADAPTIVE):
-        raise click.UsageError(f"--step does not go with --method {method}: it has no fixed step.")
-    if rtol is not None and method not in ADAPTIVE:
-        raise click.UsageError("--rtol goes with --method rk45 or adaptive.")
 
 
 def _no_others(ctx: click.Context, names: tuple[str, ...], what: str) -> None:

@@ -7,33 +7,28 @@ import sys
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, NoReturn, cast
+from typing import Any, NoReturn
 
 import click
 
-from sim.cli.measured.given import cut, needs_scipy, readings
-from sim.cli.measured.of_names import named, of_names, quantity, segments, weighed
+from sim.cli.measured.cart_options import quantity
+from sim.cli.measured.options import Options
 from sim.cli.measured.printed import ladder, strip
+from sim.cli.measured.reading_files import cut, needs_scipy, readings
 from sim.cli.measured.units_said import units_said, warn_of_assumed
 from sim.cli.measured.unused import OF_UNITS, only_of_positions, warn_of_model, warn_of_units
 from sim.cli.tables import table
 from sim.cli.typed_options import typed
 from sim.cli.write_out import write_out
-from sim.measured.analysis import Analysis, Wanted, analysed
-from sim.measured.events.story import Hints
-from sim.measured.model.unknowns import Effect
+from sim.measured.analysis import Analysis, analysed
 from sim.measured.refusal import FitError
 from sim.measured.report import forces_report, model_as_tracker
 from sim.measured.third_law import third_law
 from sim.measured.tracks import Measured
-from sim.measured.units import OFFERED, Units
-from sim.scene.quantity import LENGTH, TIME
+from sim.measured.units import OFFERED
+from sim.scene.quantity import TIME
 
 FILE = click.Path(dir_okay=False, path_type=Path)
-ASKED: dict[tuple[bool, bool], Effect] = {
-    (True, False): "friction", (False, True): "tilt", (True, True): "both",
-}  # fmt: skip
-"""By --friction and --tilt."""
 
 
 @click.command("fit")
@@ -100,29 +95,7 @@ ASKED: dict[tuple[bool, bool], Effect] = {
 @click.option("--tracker", "tracker_file", type=FILE,
               help="Write the model's run to this file, as Tracker's text.")  # fmt: skip
 @click.pass_context
-def command(
-    ctx: click.Context,
-    files: tuple[str, ...],
-    as_json: bool,
-    law: str,
-    friction: bool,
-    tilt: bool,
-    contact: str | None,
-    spans: tuple[str, ...],
-    flips: tuple[str, ...],
-    zeros: tuple[str, ...],
-    masses: tuple[str, ...],
-    touch: str | None,
-    together: bool,
-    begin: str | None,
-    end: str | None,
-    length: str,
-    time: str,
-    force: str,
-    run: str,
-    scene_file: Path | None,
-    tracker_file: Path | None,
-) -> None:
+def command(ctx: click.Context, /, files: tuple[str, ...], **options: Any) -> None:
     """Fit the model to the motion of two real carts, or compare two force sensors.
 
     FILES: one file with the readings of both carts, or one for each; - reads standard input.
@@ -136,45 +109,35 @@ def command(
     carts fit two-carts.csv
     carts fit left.txt right.txt --mass A="0.5 kg" --scene fitted.yml
     """
-    units = Units(time=time, length=length, force=force, run=run)
-    measured = _read(ctx, files, units, begin, end)
-    hints = Hints(
-        at=quantity("--contact", contact, TIME),
-        flips=named("--flip", flips, measured.names),
-        zeros=of_names("--zero", zeros, measured.names, LENGTH, "A=12.5cm"),
-        distance=quantity("--touch", touch, LENGTH),
-        together=together,
-        segments=segments("--segment", spans, measured.names),
-    )
-    effect, weights = ASKED.get((friction, tilt)), weighed(masses, measured.names)
-    wanted = Wanted(law=cast(Any, law), effect=effect, masses=weights, hints=hints)
+    chosen = Options(**options)
+    measured = _read(ctx, files, chosen)
+    wanted = chosen.wanted(measured.names)
     found = analysed(measured, wanted) if measured.kind == "length" else None
     report = found.report if found else _forces(files[0], measured)
-    _write(ctx, found, scene_file, tracker_file)
-    above = strip(found.story.segments, measured.names) if found and not as_json else []
-    click.echo(_as_json(report) if as_json else _as_text(report, above))
+    _write(ctx, found, chosen.scene_file, chosen.tracker_file)
+    above = strip(found.story.segments, measured.names) if found and not chosen.as_json else []
+    click.echo(_as_json(report) if chosen.as_json else _as_text(report, above))
     if found and found.refused:
         _fail(f"{files[0]}: error: {found.refused.reason}", found.refused.hint)
-    for path in filter(None, (scene_file, tracker_file)) if not as_json else ():
+    written = () if chosen.as_json else (chosen.scene_file, chosen.tracker_file)
+    for path in filter(None, written):
         click.echo(f"Written: {path}")
 
 
-def _read(
-    ctx: click.Context, files: tuple[str, ...], units: Units, begin: str | None, end: str | None
-) -> Measured:
+def _read(ctx: click.Context, files: tuple[str, ...], chosen: Options) -> Measured:
     """The readings between two times, with what is said of their units."""
     if len(files) > 2:
         raise click.UsageError("One file with both carts, or two files with one cart each.")
     needs_scipy()
-    low, high = quantity("--from", begin, TIME), quantity("--until", end, TIME)
-    if low is not None and high is not None and low >= high:
-        raise click.UsageError(f"--from {begin} is not before --until {end}.")
-    measured = cut(readings(files, units), low, high)
+    begin, end = quantity("--from", chosen.begin, TIME), quantity("--until", chosen.end, TIME)
+    if begin is not None and end is not None and begin >= end:
+        raise click.UsageError(f"--from {chosen.begin} is not before --until {chosen.end}.")
+    measured = cut(readings(files, chosen.units), begin, end)
     only_of_positions(ctx, measured.kind)
     warn_of_units(ctx, measured)
     given = typed(ctx, OF_UNITS)
     warn_of_assumed(measured, given)
-    said = units_said(measured.assumed, units, given)
+    said = units_said(measured.assumed, chosen.units, given)
     return replace(measured, notes=(*said, *measured.notes))
 
 

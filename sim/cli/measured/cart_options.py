@@ -34,7 +34,7 @@ def _cart(option: str, text: str, name: str, names: tuple[str, str]) -> str:
     raise click.UsageError(f"{option} {text}: there is no cart “{name}”; there are {known}.")
 
 
-def of_names(
+def values_by_cart(
     option: str, texts: tuple[str, ...], names: tuple[str, str], dimension: Dimension, sample: str
 ) -> dict[str, float]:
     """NAME=VALUE, read into SI."""
@@ -75,7 +75,7 @@ def segments(option: str, texts: tuple[str, ...], names: tuple[str, str]) -> tup
 
 def weighed(texts: tuple[str, ...], names: tuple[str, str]) -> dict[str, float]:
     """Masses by name, in kg."""
-    found = of_names("--mass", texts, names, MASS, "A=0.5kg")
+    found = values_by_cart("--mass", texts, names, MASS, "A=0.5kg")
     for name, mass in found.items():
         if mass <= 0.0:
             raise click.UsageError(f"--mass {name}={mass:g} kg: a mass is more than 0.")
