@@ -17,8 +17,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from sim.mine.instance import Written
-from sim.mine.judge.told import both, joule, newton, place, speed
 from sim.mine.judge.trial import Trial
+from sim.mine.judge.two_numbers import both, joule, newton, place, speed
 from sim.scene.said import said, template
 
 FORCES = 1e-9
