@@ -16,8 +16,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from sim.classroom.statistics.spread import Exact
-from sim.classroom.tables.apart import Columns
 from sim.classroom.tables.cells import Row, TableError
+from sim.classroom.tables.column_of_tests import time_of
+from sim.classroom.tables.heading_maximum import split_most, too_low, with_most
 from sim.classroom.tables.layout import (
     Column,
     Layout,
@@ -27,9 +28,8 @@ from sim.classroom.tables.layout import (
     split_form,
 )
 from sim.classroom.tables.marks import is_mark, is_nothing, mark
-from sim.classroom.tables.most_told import split_most, too_low, with_most
-from sim.classroom.tables.when import time_of
-from sim.classroom.tables.who import named_by
+from sim.classroom.tables.non_student_rows import Columns
+from sim.classroom.tables.student_columns import named_by
 from sim.classroom.tables.words import CLASS, GROUP, ITEM, MARK, NOTE, OTHER, TOTAL, WHO
 
 ADDS_UP = 0.9

@@ -8,17 +8,17 @@ from dataclasses import replace
 from sim.classroom.files.archive import shown as safe
 from sim.classroom.tables import plain
 from sim.classroom.tables import sentences as say
-from sim.classroom.tables.above import from_the_heads
-from sim.classroom.tables.apart import Columns, Parted, parted
 from sim.classroom.tables.cells import Broken, Row, TableError, rows_of
+from sim.classroom.tables.column_of_tests import time_of
 from sim.classroom.tables.exports import EXPORTS, canvas
+from sim.classroom.tables.heading_maximum import split_most
+from sim.classroom.tables.heading_row import from_the_heads
 from sim.classroom.tables.layout import Column, Layout
 from sim.classroom.tables.long import Bad, pivoted
 from sim.classroom.tables.marks import is_nothing, mark
-from sim.classroom.tables.most_told import split_most
+from sim.classroom.tables.non_student_rows import Columns, Parted, parted
 from sim.classroom.tables.row import RowReader
 from sim.classroom.tables.taken import MarkTable, Taken, place_of
-from sim.classroom.tables.when import time_of
 from sim.scene.said import reason_of, said
 
 LETTERS = 2

@@ -8,9 +8,9 @@ import pytest
 
 from sim.classroom.report.notes import notes_of
 from sim.classroom.show.report_page import report_html
+from sim.classroom.tables.heading_maximum import with_most
 from sim.classroom.tables.layout import form_of, split_form
 from sim.classroom.tables.marks import mark
-from sim.classroom.tables.most_told import with_most
 from sim.classroom.tables.read import read_table
 from tests.classroom.given.exported_tables import (
     GOOGLE,

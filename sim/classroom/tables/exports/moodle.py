@@ -10,8 +10,8 @@ import re
 from collections.abc import Sequence
 
 from sim.classroom.statistics.spread import Exact
+from sim.classroom.tables.heading_maximum import split_most
 from sim.classroom.tables.layout import Column, Layout, norm, place_of
-from sim.classroom.tables.most_told import split_most
 from sim.classroom.tables.words import CLASS, FAMILY, GIVEN, GROUP, ID_NUMBER, words
 
 _QUESTION = re.compile(r"\D{1,12}?[.\s]*[0-9]{1,3}\s*/\s*[0-9]+(?:[.,][0-9]+)?")

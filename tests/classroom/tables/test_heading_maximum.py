@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sim.classroom.tables.most_told import with_most
+from sim.classroom.tables.heading_maximum import with_most
 from sim.classroom.tables.read import read_table
 from tests.classroom.given.exported_tables import WIDE
 from tests.classroom.given.tables import csv, reported
