@@ -11,9 +11,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from sim.country.beliefs_and_predictions import beliefs_in, predictions_in
 from sim.country.counted import FORM, judged, sheets_of
 from sim.country.refusal import CountryError
-from sim.country.said import beliefs_in, predictions_in
 from sim.lesson.answer_file import PREDICTIONS
 from sim.scene.said import said
 

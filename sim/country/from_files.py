@@ -13,8 +13,8 @@ from sim.classroom.files.keyed import KeyedForm
 from sim.classroom.files.marks_file import KIND as MARKS
 from sim.classroom.files.reading import Read, Refused, Source, named, of_file, outcomes
 from sim.classroom.report.marked import Keys, mark_file
-from sim.country.beside import Beside, no_group, student_of
 from sim.country.rows import Place, rows_of
+from sim.country.typed_code_place import Beside, no_group, student_of
 from sim.country.write import TableWriter, new_folder, write_keys
 from sim.lesson.key_file import KIND as KEY
 

@@ -12,10 +12,10 @@ from sim.classroom.report.marked import Keys
 from sim.classroom.report.topics import topic_differences, topic_rows
 from sim.classroom.summary.document import Read, document
 from sim.classroom.summary.sums import LessonSums
+from sim.country.beliefs_and_predictions import belief_rows_of, prediction_rows_of
 from sim.country.cells import Cell, Counts, counts_of
 from sim.country.item_cells import difficulty_of_all
 from sim.country.refusal import CountryError
-from sim.country.said import belief_rows_of, prediction_rows_of
 from sim.country.sums import cells_of, groups_of, lessons_of, of_counted
 from sim.country.topics import topic_sums_of, topics_in
 from sim.lesson.csv_text import safe_text

@@ -14,7 +14,7 @@ import click
 from sim.classroom.files.reading import Read, Reading, Refused
 from sim.classroom.report.report import WHOLE, Asked
 from sim.cli.classroom.files import group_of, with_slashes
-from sim.country.beside import Beside, no_group
+from sim.country.typed_code_place import Beside, no_group
 
 OF_ANSWERS = ("keys", "students", "marks", "codes")
 """Options that are made for answer files."""
