@@ -16,7 +16,7 @@ from sim.classroom.report.flags.times import moment_of
 from sim.classroom.report.items.choices import chose_option
 from sim.classroom.report.items.typed_numbers import shown_wrong, typed_wrong
 from sim.classroom.report.marked import NO_CODE, Answer, Marked
-from sim.classroom.report.meant import words_of
+from sim.classroom.report.prediction_meaning import words_of
 from sim.country.schema import NAMES
 from sim.lesson.answer_file import PREDICTIONS, Item
 from sim.lesson.csv_text import as_text, safe_text

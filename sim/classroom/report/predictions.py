@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from sim.classroom.report.marked import Marked
-from sim.classroom.report.meant import told
 from sim.classroom.report.most_said import most_said
+from sim.classroom.report.prediction_meaning import predictions_in_words
 from sim.lesson.answer_file import PREDICTIONS, Item
 from sim.lesson.mark import is_empty
 
@@ -31,7 +31,7 @@ def prediction_rows(files: Sequence[Marked]) -> list[dict[str, Any]]:
 
 def _row(name: str, made: Sequence[tuple[Marked, Item]]) -> dict[str, Any]:
     first = made[0][1]
-    each = told([item for _, item in made])
+    each = predictions_in_words([item for _, item in made])
     before = [
         (item, words)
         for (_, item), words in zip(made, each, strict=True)

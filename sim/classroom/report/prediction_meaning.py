@@ -24,7 +24,7 @@ ALIKE = 0.06
 WALLS = ("left", "right")
 
 
-def told(items: Sequence[Item]) -> list[str]:
+def predictions_in_words(items: Sequence[Item]) -> list[str]:
     """Each prediction in words: equal ones in the same, those that most of them have."""
     by_meaning: dict[Hashable, Counter[str]] = {}
     for item in items:
