@@ -14,7 +14,9 @@ import pytest
 from click.testing import CliRunner
 
 from sim.cli import main
+from sim.pages.blocks.makers import MAKERS
 from sim.pages.blocks.scene_block import Lesson, SiteIds
+from sim.pages.checks.blocks import CHECKS
 from sim.pages.checks.lessons import check_lesson, check_paths
 from sim.pages.findings import Finding
 
@@ -222,3 +224,7 @@ def test_the_line_of_a_list_without_its_dash_is_named_and_not_the_next(
 def test_a_line_that_goes_on_needs_no_dash(options: str) -> None:
     (found,) = check_lesson(OPTIONS.format(options), Lesson("a.md"), SiteIds())
     assert "“- ”" not in found.message
+
+
+def test_every_kind_of_block_that_is_made_is_checked_without_a_build() -> None:
+    assert set(MAKERS) == {*CHECKS, "scene", "question", "quiz", "challenge"}

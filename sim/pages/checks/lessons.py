@@ -8,6 +8,7 @@ from pathlib import Path
 from sim.pages.blocks.bake import bake
 from sim.pages.blocks.law_files import with_law_files
 from sim.pages.blocks.scene_block import Lesson, SiteIds, read_scene_block, read_scene_text
+from sim.pages.checks.blocks import CHECKS, Around
 from sim.pages.checks.heading_ids import heading_ids
 from sim.pages.checks.hidden_forces import forces_nobody_finds
 from sim.pages.checks.large_numbers import large_numbers
@@ -16,15 +17,7 @@ from sim.pages.checks.preset_reach import presets_beyond_sliders
 from sim.pages.checks.relevance import relevance_hints
 from sim.pages.checks.steep import steep_slopes
 from sim.pages.checks.unbuilt import no_lesson, no_page, no_text
-from sim.pages.classroom.evidence import evidence_block
-from sim.pages.cost.block import read_cost_block
 from sim.pages.findings import AuthorError, Finding
-from sim.pages.hard_cases.block import read_hard_cases_block
-from sim.pages.law.block import LawBlock, read_law_block
-from sim.pages.map.bake import bake_map
-from sim.pages.map.block import MapBlock, read_map_block
-from sim.pages.measured.block import read_measured_block
-from sim.pages.picture.block import read_picture_block
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.by_default import open_by_default, waits_by_default, watched_by_default
 from sim.pages.question.challenge import read_challenge_block
@@ -44,7 +37,8 @@ from sim.scene import SceneError, read_fence
 LESSON_SUFFIXES = (".md",)
 HIDDEN_SUFFIX = ".md.txt"  # an editor adds it, a file manager hides it
 NEAR_SUFFIXES = (".md", ".markdown", ".mdown", ".mdwn", ".mkd", ".mkdn")  # .MD too: as no lesson
-WRITTEN = (".docx", ".doc", ".odt", ".rtf", ".pages", ".text", ".txt")  # by a program for letters
+OFFICE_SUFFIXES = (".docx", ".doc", ".odt", ".rtf", ".pages")  # inside, they are no plain text
+WRITTEN = (*OFFICE_SUFFIXES, ".text", ".txt")  # by a program for letters
 SCENE_SUFFIXES = (".yml", ".yaml")
 USUAL_PLACES = ("worksheets", "docs", "tests/scenes", "sim/effects")
 
@@ -59,24 +53,13 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds, *, hints: bool = False
     items = PageItems()
     lines = lines_of(text)
     blocks = tuple(scan(lines))
+    around = Around(lesson, ids, blocks)
     for block, section in in_sections(lines, blocks):
         if section.new:
             items.asking = ""
         try:
-            if block.name == "map":
-                _check_map(read_map_block(block, lesson, ids, first_line=1, blocks=blocks))
-            elif block.name == "cost":
-                read_cost_block(block, lesson, ids, first_line=1)
-            elif block.name == "hard-cases":
-                read_hard_cases_block(block, lesson, ids, first_line=1)
-            elif block.name == "evidence":
-                evidence_block(block, lesson, first_line=1)
-            elif block.name == "measured":
-                read_measured_block(block, lesson, ids, first_line=1)
-            elif block.name == "picture":
-                read_picture_block(block, lesson, first_line=1)
-            elif block.name == "law":
-                _check_law(read_law_block(block, lesson, ids, first_line=1))
+            if check := CHECKS.get(block.name):
+                check(block, around)
             else:
                 findings += _read(block, lesson, ids, items, hints=hints)
                 if hints and block.name == "scene" and (asking := items.scenes[-1]).predict:
@@ -84,8 +67,8 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds, *, hints: bool = False
         except AuthorError as error:
             items.give_up(block)
             findings += error.findings
-    around = [*text_findings(text, lesson), *heading_ids(text, lesson.file, ids)]
-    return sorted([*items.first_causes(findings), *around])
+    of_text = [*text_findings(text, lesson), *heading_ids(text, lesson.file, ids)]
+    return sorted([*items.first_causes(findings), *of_text])
 
 
 def _read(
@@ -117,20 +100,6 @@ def _read(
         doubts = [*presets_beyond_sliders(scene), *steep_slopes(scene), *large_numbers(scene)]
         return [*found, *watched_by_default(scene), *called_for, *doubts]
     return found
-
-
-def _check_map(block: MapBlock) -> None:
-    """A map must have values; raises `AuthorError`."""
-    run = bake_map(block.map, block.plain)
-    if isinstance(run, list):
-        raise AuthorError(map(block.places.finding, run))
-
-
-def _check_law(block: LawBlock) -> None:
-    """What a reader begins with must run; raises `AuthorError`."""
-    run = bake(block.fence.plain)
-    if isinstance(run, list):
-        raise AuthorError(map(block.finding, run))
 
 
 def check_bank(text: str, file: str) -> list[Finding]:
@@ -231,7 +200,7 @@ def _not_seen(file: str) -> Finding:
         stem, _, ending = name.rpartition(".")
         right = f"{stem}.md"
         message = f"this is no lesson: its name ends in .{ending}, that of a lesson in .md"
-        if f".{ending.lower()}" in WRITTEN[:5]:
+        if f".{ending.lower()}" in OFFICE_SUFFIXES:
             hint = f"save it as plain text (UTF-8) under the name {right}"
             return Finding(file, 1, 1, "hidden-ending", message, hint)
     return Finding(file, 1, 1, "hidden-ending", message, f"rename it to {right}")

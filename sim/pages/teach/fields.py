@@ -6,7 +6,7 @@ changed often, and by what name a teacher knows it. All else is changed in the b
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
@@ -18,6 +18,8 @@ from sim.scene.laws import laws
 from sim.scene.track import WHAT
 
 Kind = Literal["line", "area", "choice"]
+Named = Callable[[KeyPath], tuple[str, str] | None]
+"""Group and label of a value by where it stands; None for one that is no field."""
 
 TRUTH = ("true", "false")
 CHOICES: dict[str, tuple[str, ...]] = {
@@ -94,7 +96,7 @@ def fields(text: str, block: Block) -> tuple[Field, ...]:
     return tuple(_with_rightness(found, may_be_right(block)))
 
 
-def _fields(text: str, block: Block, named: Any) -> Iterator[Field]:
+def _fields(text: str, block: Block, named: Named) -> Iterator[Field]:
     for value in values(text, block):
         found = named(value.path)
         if found is None:
