@@ -93,7 +93,8 @@ def test_a_formula_that_the_page_would_show_as_it_is_typed_is_told(text: str, pa
 
 
 def test_signs_that_stand_for_themselves_are_none() -> None:
-    read(CELL.replace("v]", '"v * [m/s] (mean)"]'))
+    made = read(CELL.replace("v]", '"v * [m/s] (mean)"]'))
+    assert made.columns == ("push", "v * [m/s] (mean)")
 
 
 @pytest.mark.parametrize(

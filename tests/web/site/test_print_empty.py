@@ -50,7 +50,9 @@ def test_arrows_that_are_pulled_on_the_screen_have_room_to_be_drawn_on_paper(
     scene = printed.locator("#third-pushed-along")
     expect(scene.get_by_text("draw an arrow from each dot")).to_be_visible()
     expect(scene.get_by_text("Pull each arrow")).to_be_hidden()
-    for guess in scene.locator(".carts-guess").all():
+    guesses = scene.locator(".carts-guess").all()
+    assert guesses
+    for guess in guesses:
         box = guess.bounding_box()
         assert box
         assert box["height"] > 40  # px: a line of text, and below it a finger's breadth
