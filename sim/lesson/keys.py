@@ -14,6 +14,10 @@ from sim.scene.tables import mapping, unknown_keys
 
 __all__ = ["NUMBER_OR_TEXT", "PROSE", "PROSES", "TEXT", "TEXTS", "Key"]
 
+MOST_WHOLE = 600
+"""Of minutes, marks and questions. More is a slip of the hand: a form has fewer questions, and no
+lesson lasts ten hours."""
+
 TEXT: Mapping[str, Any] = {"type": "string", "minLength": 1}
 NUMBER_OR_TEXT: Mapping[str, Any] = {"type": ["number", "string"]}
 TEXTS: Mapping[str, Any] = {"anyOf": [TEXT, {"type": "array", "items": TEXT}]}
@@ -160,11 +164,10 @@ def flag(
 def whole(
     table: Mapping[str, Any], name: str, path: Path, problems: list[Problem], *, default: int
 ) -> int:
-    """A whole number from 1."""
+    """A whole number from 1 to `MOST_WHOLE`."""
     value = table.get(name, default)
-    if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= 600:
-        problems.append(
-            Problem((*path, name), "out-of-range", f"{name} is a whole number", f"{name}: 2")
-        )
+    if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= MOST_WHOLE:
+        message = f"{name} is a whole number from 1 to {MOST_WHOLE}"
+        problems.append(Problem((*path, name), "out-of-range", message, f"{name}: 2"))
         return default
     return value

@@ -13,9 +13,11 @@ from sim.lesson.bank import Bank
 from sim.lesson.beliefs import BELIEFS
 from sim.lesson.form import read_form
 from sim.lesson.key_file import key_file
+from sim.lesson.keys import whole
 from sim.lesson.opening import word_sum
 from sim.pages.question.quiz import read_bank_text
 from sim.pages.question.render import render_quiz
+from sim.scene.problem import Problem
 from tests.web.question.question_site import BANK
 from tests.web.scene.given.widget_site import in_node
 
@@ -192,3 +194,10 @@ def test_the_page_opens_forms_by_their_rules() -> None:
 
 
 # ---------------------------------------------------------------- the code for paper
+
+
+@pytest.mark.parametrize("value", [0, 601, 2.5, True])
+def test_a_number_that_is_too_large_is_told_how_far_it_may_go(value: object) -> None:
+    problems: list[Problem] = []
+    assert whole({"minutes": value}, "minutes", (), problems, default=3) == 3
+    assert [one.message for one in problems] == ["minutes is a whole number from 1 to 600"]
