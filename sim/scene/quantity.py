@@ -205,7 +205,8 @@ def _from_text(text: str, dimension: Dimension, hint: str) -> Fraction:
                 ),
             )
         factor = known
-    if abs(int(re.sub(r".*[eE]", "", number))) > MOST_POWER if "e" in number.lower() else False:
+    exponent = re.search(r"[eE](.*)", number)
+    if exponent and abs(int(exponent[1])) > MOST_POWER:
         reason = said("{number} is too large or too small", number=number)
         raise QuantityError("out-of-range", reason, hint)
     return exact(number) * factor
