@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, cast
 
 from sim.lesson.units import OF_QUANTITY
 from sim.scene.problem import Path, Problem
@@ -80,8 +80,7 @@ def read_goal(value: object, path: Path, problems: list[Problem]) -> Goal | None
         message = f"{left.quantity} and {right.quantity} are not of one kind"
         problems.append(Problem(path, "not-a-goal", message, EXAMPLE))
         return None
-    relation: Relation = "=" if sides[2] == "=" else "<" if sides[2] == "<" else ">"
-    return Goal(left, relation, right)
+    return Goal(left, cast(Relation, sides[2]), right)
 
 
 def _term(text: str) -> Term | None:
@@ -91,7 +90,7 @@ def _term(text: str) -> Term | None:
     quantity = match["quantity"]
     at: Moment = "largest" if quantity[0] in "Fa" else "end"
     if match["at"]:
-        at = "start" if match["at"] == "start" else "end" if match["at"] == "end" else "largest"
+        at = cast(Moment, match["at"])
     return Term(float(match["factor"] or 1), quantity, at)
 
 
