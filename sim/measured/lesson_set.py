@@ -17,7 +17,7 @@ from typing import Any
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.trajectory import Trajectory, trajectory
 from sim.measured.as_tracker import tracker_text
-from sim.measured.made import filmed
+from sim.measured.synthetic import filmed
 from sim.scene import read_scene
 
 TRUTH: dict[str, Any] = {

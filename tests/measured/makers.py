@@ -8,7 +8,7 @@ from random import Random
 from typing import Any
 
 from sim.measured.as_tracker import tracker_text
-from sim.measured.made import filmed
+from sim.measured.synthetic import filmed
 from sim.measured.tracks import Measured
 from sim.scene import Scene, read_scene
 

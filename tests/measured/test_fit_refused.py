@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from sim.measured.made import filmed
 from sim.measured.model.fit import fit
 from sim.measured.refusal import FitError
+from sim.measured.synthetic import filmed
 from sim.measured.tracks import Measured, between
 from sim.scene import read_scene
 from tests.measured.makers import NOISE, film, truth

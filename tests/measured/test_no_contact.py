@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from sim.measured.analysis import analysed
-from sim.measured.made import filmed
 from sim.measured.refusal import of_readings
+from sim.measured.synthetic import filmed
 from sim.measured.tracks import read_measured
 from sim.scene import read_scene
 

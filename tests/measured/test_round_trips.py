@@ -94,7 +94,7 @@ def test_the_models_run_is_read_back_as_tracker_text() -> None:
 
 
 def test_a_film_with_its_own_clock_gives_a_scene_that_starts_at_zero() -> None:
-    from sim.measured.made import filmed
+    from sim.measured.synthetic import filmed
 
     made = truth()
     late = filmed(made.scene, rate=120, noise=0.0, seed=1, begin=12.5)
