@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from sim.measured.events.outcome import PERHAPS
-from sim.measured.events.quantities import told_of
+from sim.measured.events.quantities import quantities_of_outcome
 from sim.measured.events.sides import window
 from sim.measured.events.story import Hints, Story, story_of
 from sim.measured.events.stretch import Segment
@@ -138,7 +138,7 @@ def _doubted(story: Story, made: Fit, rows: list[Compared], wanted: Wanted) -> F
     effect, speeds = made.asked.effect, story.speeds
     if effect == "none" or not (story.outcome and speeds and story.contact and story.step):
         return made
-    seen, _ = told_of(story.outcome, speeds, story.contact, story.step, story.measured.names,
+    seen, _ = quantities_of_outcome(story.outcome, speeds, story.contact, story.step, story.measured.names,
                       beside=story.together)  # fmt: skip
     return doubted(made, seen, told=form_told(effect, speeds.held_out))
 

@@ -58,7 +58,7 @@ def along(axis: Way, place: Way) -> float:
     return sum(part * x for part, x in zip(axis, place, strict=True))
 
 
-def told(axis: Way) -> str:
+def direction_note(axis: Way) -> str:
     """The note for the reader."""
     parts = ", ".join(f"{a:.3f}" for a in axis)
     return said("direction of the track, from the motion: ({axis})", axis=parts)
@@ -81,4 +81,4 @@ def of_film(paths: Sequence[Sequence[Way]]) -> tuple[Way, str]:
             share=f"{across / far:.0%}",
         )
         return (1.0, 0.0), note
-    return ((1.0, 0.0), "") if axis[0] > SLANT else (axis, told(axis))
+    return ((1.0, 0.0), "") if axis[0] > SLANT else (axis, direction_note(axis))

@@ -12,7 +12,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sim.measured.direction import Way, along, axis_of, told
+from sim.measured.direction import Way, along, axis_of, direction_note
 from sim.measured.refusal import no_number, refuse, shown
 from sim.measured.sheet import cells
 from sim.measured.sheet.cells import Row
@@ -78,7 +78,7 @@ def reading_of(filmed: Filmed, line: int) -> Reading:
         0,
         said("motion capture, {rate} frames per second, {unit}", rate=rate, unit=filmed.unit),
     )
-    notes.append(told(axis))
+    notes.append(direction_note(axis))
     return Reading("length", tuple(tracks), tuple(notes))
 
 

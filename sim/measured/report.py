@@ -12,7 +12,7 @@ from sim.measured.events.quantities import with_loss
 from sim.measured.model.believable import believable
 from sim.measured.model.effects import Compared, called_for, neighbours, rms_residual
 from sim.measured.model.fit import Fit
-from sim.measured.model.known import told
+from sim.measured.model.known import quantities_of_fit
 from sim.measured.model.lasting import smoothed
 from sim.measured.model.motion import Motion
 from sim.measured.model.quantity import Known, Untold
@@ -40,7 +40,9 @@ def motion_report(
     masses = masses or {}
     names = measured.names
     mass = next(iter(masses.items()), None)
-    known, untold = believable(*told(fit, names, mass, smoothed(measured, neighbours(fit))))
+    known, untold = believable(
+        *quantities_of_fit(fit, names, mass, smoothed(measured, neighbours(fit)))
+    )
     judged = [
         with_loss(one, share) if share and one.key in ("mass_ratio", "mass") else one
         for one in known

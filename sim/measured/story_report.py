@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from sim.measured.events.momentum import Momentum, momentum_of
-from sim.measured.events.quantities import loss, told_of
+from sim.measured.events.quantities import loss, quantities_of_outcome
 from sim.measured.events.story import Story
 from sim.measured.events.wild import of_aside
 from sim.measured.events.words import as_sure, of_momentum, of_rung, of_scatter, of_story, of_taken
@@ -64,7 +64,7 @@ def by_velocities(
     """The report of the velocities beside the contact."""
     assert story.outcome and story.speeds and story.contact and story.step and story.frames
     names = measured.names
-    known, untold = believable(*told_of(
+    known, untold = believable(*quantities_of_outcome(
         story.outcome, story.speeds, story.contact, story.step, names, masses,
         story.frames.joined, story.together,
     ))  # fmt: skip

@@ -12,7 +12,7 @@ import pytest
 
 from sim.measured.model.effects import called_for, compare
 from sim.measured.model.fit import Asked, Fit, fit
-from sim.measured.model.known import told
+from sim.measured.model.known import quantities_of_fit
 from sim.measured.model.motion import Motion, Parameters
 from sim.measured.report import motion_report
 from sim.measured.tracks import Measured
@@ -78,7 +78,7 @@ def test_velocities_after_the_contact_lie_in_their_intervals_as_often_as_promise
     for seed in range(30):
         made, rate = random_truth(seed)
         found = fit(film(made, rate, seed=seed))
-        known = {one.key: one for one in told(found, ("A", "B"))[0]}
+        known = {one.key: one for one in quantities_of_fit(found, ("A", "B"))[0]}
         m1, m2 = 1.0, made.ratio
         centre = (m1 * made.v[0] + m2 * made.v[1]) / (m1 + m2)
         apart = made.e * (made.v[1] - made.v[0]) / (m1 + m2)  # e turns the approach round
@@ -108,11 +108,11 @@ def test_masses_and_stiffness_are_refused_until_a_cart_was_weighed() -> None:
     made = truth()
     measured = film(made)
     found = fit(measured)
-    known, untold = told(found, ("A", "B"))
+    known, untold = quantities_of_fit(found, ("A", "B"))
     assert {"mass", "k"} <= keys(untold)
     assert not {"mass", "k"} & keys(known)
     for name, kg in (("A", 0.5), ("B", 1.0)):
-        known, untold = told(found, ("A", "B"), (name, kg))
+        known, untold = quantities_of_fit(found, ("A", "B"), (name, kg))
         values = {one.key: one for one in known}
         assert not keys(untold)
         assert values["mass"].low <= 1.5 - kg <= values["mass"].high
@@ -128,7 +128,7 @@ def test_the_same_film_comes_out_with_all_masses_and_k_doubled() -> None:
 
 def test_a_hard_contact_between_two_frames_is_not_timed() -> None:
     measured = film(truth(contact=0.004, v=(0.8, -0.3)), rate=30)
-    known, untold = told(fit(measured), ("A", "B"))
+    known, untold = quantities_of_fit(fit(measured), ("A", "B"))
     assert {"duration", "w0"} <= keys(untold)
     assert {"e", "mass_ratio"} <= keys(known)
     assert all("frames" in one.reason for one in untold if one.key in ("duration", "w0"))
@@ -164,7 +164,7 @@ def test_residuals_that_follow_each_other_are_told() -> None:
 
 def test_two_weighed_carts_are_compared_with_their_motion() -> None:
     measured = film(truth())
-    known, _ = told(fit(measured), ("A", "B"))
+    known, _ = quantities_of_fit(fit(measured), ("A", "B"))
     ratio = next(one for one in known if one.key == "mass_ratio")
     assert "They agree" in of_balance(ratio, {"A": 0.5, "B": 1.0}, ("A", "B"))
     assert "do not agree" in of_balance(ratio, {"A": 0.5, "B": 1.2}, ("A", "B"))

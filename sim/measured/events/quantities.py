@@ -112,7 +112,7 @@ def directions(v: Values) -> tuple[int, int]:
     return first, second
 
 
-def told_of(
+def quantities_of_outcome(
     outcome: Outcome,
     speeds: Speeds,
     contact: Contact,

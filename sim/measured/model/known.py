@@ -42,7 +42,7 @@ def of_ratio(names: tuple[str, str]) -> Said:
     return said("mass of {b} ÷ mass of {a}", a=names[0], b=names[1])
 
 
-def told(
+def quantities_of_fit(
     fit: Fit,
     names: tuple[str, str],
     mass: tuple[str, float] | None = None,

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import re
 
-from sim.measured.direction import along, axis_of, told
+from sim.measured.direction import along, axis_of, direction_note
 from sim.measured.refusal import refuse
 from sim.measured.sheet.beside import check_units, no_unit
 from sim.measured.sheet.heads import quantity_of
@@ -96,7 +96,7 @@ def read(text: str, units: Units) -> Reading:
         )
         raise refuse(table.lines[-1], reason)
     axis = axis_of([point for _, point, _ in rows])
-    notes = [said("acceleration of a phone, m/s²"), told(axis), *clocks]
+    notes = [said("acceleration of a phone, m/s²"), direction_note(axis), *clocks]
     if repeated:
         notes.append(said("{count} rows whose time does not go on, left out", count=str(repeated)))
     a = tuple(along(axis, p) for _, p, _ in rows)
