@@ -26,22 +26,22 @@ STRAIGHT = 0.1
 UPRIGHT = math.sin(math.radians(5.0))
 """A track nearer to upright than this has + upwards; every other one to the right."""
 
-Way = tuple[float, ...]
+Vector = tuple[float, ...]
 
 
-def axis_of(points: Sequence[Way]) -> Way:
+def axis_of(points: Sequence[Vector]) -> Vector:
     """The first principal axis of all points, of any dimension, + along its largest part."""
     axis = _principal(centred(points))
     return tuple(-part for part in axis) if max(axis, key=abs) < 0.0 else axis
 
 
-def centred(points: Sequence[Way]) -> list[Way]:
+def centred(points: Sequence[Vector]) -> list[Vector]:
     """The points, counted from their mean."""
     means = [sum(parts) / len(points) for parts in zip(*points, strict=True)]
     return [tuple(x - mean for x, mean in zip(p, means, strict=True)) for p in points]
 
 
-def _principal(moved: Sequence[Way]) -> Way:
+def _principal(moved: Sequence[Vector]) -> Vector:
     ways = range(len(moved[0]))
     spread = [[sum(p[i] * p[k] for p in moved) for k in ways] for i in ways]
     largest = max(spread[k][k] for k in ways)
@@ -53,18 +53,18 @@ def _principal(moved: Sequence[Way]) -> Way:
     return tuple(axis)
 
 
-def along(axis: Way, place: Way) -> float:
+def along(axis: Vector, place: Vector) -> float:
     """How far a place lies along the axis."""
     return sum(part * x for part, x in zip(axis, place, strict=True))
 
 
-def direction_note(axis: Way) -> str:
+def direction_note(axis: Vector) -> str:
     """The note for the reader."""
     parts = ", ".join(f"{a:.3f}" for a in axis)
     return said("direction of the track, from the motion: ({axis})", axis=parts)
 
 
-def of_film(paths: Sequence[Sequence[Way]]) -> tuple[Way, str]:
+def of_film(paths: Sequence[Sequence[Vector]]) -> tuple[Vector, str]:
     """The direction in which carts are read off, from the places (x, y) of each, and what to say.
 
     (1, 0) where they go along x, and where they leave the line, as pucks on a table do.

@@ -12,7 +12,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sim.measured.direction import Way, along, axis_of, direction_note
+from sim.measured.direction import Vector, along, axis_of, direction_note
 from sim.measured.refusal import no_number, refuse, shown
 from sim.measured.sheet import cells
 from sim.measured.sheet.cells import Row
@@ -149,7 +149,7 @@ def _way(pair: tuple[Point, Point], last: tuple[Point, Point]) -> float:
     return math.dist(pair[0], last[0]) + math.dist(pair[1], last[1])
 
 
-def _track(name: str, marks: Marks, axis: Way, metres: float) -> Track:
+def _track(name: str, marks: Marks, axis: Vector, metres: float) -> Track:
     return Track(
         name,
         tuple(t for _, t, _ in marks),

@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from sim.measured.direction import Way, along, of_film
+from sim.measured.direction import Vector, along, of_film
 from sim.measured.refusal import refuse, shown
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import Kind, Units, factor
@@ -25,7 +25,7 @@ ANEW = said("save the project anew")
 DEEPEST = 60
 LARGEST = 1e9
 
-Marks = list[tuple[float, Way, int]]
+Marks = list[tuple[float, Vector, int]]
 """Of one point mass: time in s, place (X, Y) in m, line."""
 
 
@@ -206,7 +206,7 @@ def _marks(
     name = (name_node.text.strip() if name_node else "") or "cart"
     x0, y0, angle, metres = axes
     first, begin, step = clock
-    marks: dict[int, tuple[Way, int]] = {}
+    marks: dict[int, tuple[Vector, int]] = {}
     for one in data.inside if data else ():
         index = one.name.strip("[]")
         if not (index.isascii() and index.isdigit() and len(index) < 8) or one.get("x") is None:
@@ -218,6 +218,6 @@ def _marks(
     return name, [(begin + (n - first) * step, *marks[n]) for n in sorted(marks)]
 
 
-def _track(name: str, marks: Marks, axis: Way) -> Track:
+def _track(name: str, marks: Marks, axis: Vector) -> Track:
     times, places, lines = zip(*marks, strict=True)
     return Track(name, times, tuple(along(axis, place) for place in places), lines)

@@ -36,7 +36,7 @@ def _beside(table: Table, column: Column) -> Column | None:
     return None
 
 
-def _turned(x: Column, y: Column, axis: direction.Way) -> Column:
+def _turned(x: Column, y: Column, axis: direction.Vector) -> Column:
     places = zip(x.values, y.values, strict=True)
     values = (None if a is None or b is None else direction.along(axis, (a, b)) for a, b in places)
     return replace(x, values=tuple(values))
