@@ -138,8 +138,10 @@ def _doubted(story: Story, made: Fit, rows: list[Compared], wanted: Wanted) -> F
     effect, speeds = made.asked.effect, story.speeds
     if effect == "none" or not (story.outcome and speeds and story.contact and story.step):
         return made
-    seen, _ = quantities_of_outcome(story.outcome, speeds, story.contact, story.step, story.measured.names,
-                      beside=story.together)  # fmt: skip
+    names = story.measured.names
+    seen, _ = quantities_of_outcome(
+        story.outcome, speeds, story.contact, story.step, names, beside=story.together
+    )
     return doubted(made, seen, told=form_told(effect, speeds.held_out))
 
 

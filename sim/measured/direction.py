@@ -42,12 +42,12 @@ def centred(points: Sequence[Vector]) -> list[Vector]:
 
 
 def _principal(moved: Sequence[Vector]) -> Vector:
-    ways = range(len(moved[0]))
-    spread = [[sum(p[i] * p[k] for p in moved) for k in ways] for i in ways]
-    largest = max(spread[k][k] for k in ways)
-    axis = [1.0 if spread[i][i] == largest else 0.1 for i in ways]
+    each = range(len(moved[0]))
+    spread = [[sum(p[i] * p[k] for p in moved) for k in each] for i in each]
+    largest = max(spread[k][k] for k in each)
+    axis = [1.0 if spread[i][i] == largest else 0.1 for i in each]
     for _ in range(TURNS):
-        axis = [sum(spread[i][k] * axis[k] for k in ways) for i in ways]
+        axis = [sum(spread[i][k] * axis[k] for k in each) for i in each]
         size = math.hypot(*axis) or 1.0
         axis = [part / size for part in axis]
     return tuple(axis)
@@ -74,7 +74,7 @@ def of_film(paths: Sequence[Sequence[Vector]]) -> tuple[Vector, str]:
     if axis[0] < 0.0 if abs(axis[0]) > UPRIGHT else axis[1] < 0.0:
         axis = (-axis[0], -axis[1])
     sideways = (-axis[1], axis[0])
-    far, across = (math.hypot(*(along(way, p) for p in moved)) for way in (axis, sideways))
+    far, across = (math.hypot(*(along(line, p) for p in moved)) for line in (axis, sideways))
     if across > STRAIGHT * far:
         note = said(
             "the carts do not stay on one line ({share} across it): x is read",
