@@ -16,7 +16,7 @@ from sim.measured.model.known import quantities_of_fit
 from sim.measured.model.lasting import smoothed
 from sim.measured.model.motion import Motion
 from sim.measured.model.quantity import Known, Untold
-from sim.measured.third_law import Pair
+from sim.measured.third_law import SensorComparison
 from sim.measured.tracks import Measured
 from sim.measured.words.effects import of_effects
 from sim.measured.words.fit import LAWS, of_balance, of_fit, of_interval, of_loss
@@ -114,7 +114,7 @@ def span(measured: Measured) -> tuple[float, float]:
     return min(t.t[0] for t in measured.tracks), max(t.t[-1] for t in measured.tracks)
 
 
-def forces_report(measured: Measured, pair: Pair) -> dict[str, Any]:
+def forces_report(measured: Measured, pair: SensorComparison) -> dict[str, Any]:
     """What two force sensors or two phones say."""
     phones = measured.kind == "acceleration"
     said = (of_phones if phones else of_pair)(pair, measured.names, synthetic=measured.synthetic)

@@ -48,7 +48,7 @@ STEP = 0.954  # median of |difference| of two readings with noise 1: 0.6745 √2
 
 
 @dataclass(frozen=True, slots=True)
-class Pair:
+class SensorComparison:
     """What two sensors say. Forces in N, impulses in N s, A first."""
 
     t: tuple[float, ...]
@@ -68,7 +68,7 @@ class Pair:
     set: float | None = None  # s, by which B's clock was set by the contact
 
 
-def third_law(measured: Measured) -> Pair:
+def third_law(measured: Measured) -> SensorComparison:
     """Both sensors compared; raises FitError if they saw no push.
 
     Two phones, and sensors whose clocks do not overlap, are set by the contact; of phones only the
@@ -93,7 +93,7 @@ def third_law(measured: Measured) -> Pair:
     return found
 
 
-def _compared(measured: Measured, moved: float | None = None) -> Pair:
+def _compared(measured: Measured, moved: float | None = None) -> SensorComparison:
     first, second = measured.tracks
     phones = measured.kind == "acceleration"
     t = tuple(time for time in first.t if second.t[0] <= time <= second.t[-1])
@@ -128,7 +128,7 @@ def _compared(measured: Measured, moved: float | None = None) -> Pair:
     lag = _lag(t, a, b)
     spread = SURE * math.hypot(ratio * noise[0], noise[1])
     apart = _apart(t, a, b, ratio, lag)
-    return Pair(
+    return SensorComparison(
         t=t,
         forces=(tuple(a), tuple(b)),
         zeros=zeros,

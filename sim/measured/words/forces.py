@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 
-from sim.measured.third_law import SCATTERED, Pair
+from sim.measured.third_law import SCATTERED, SensorComparison
 from sim.measured.words.fit import SYNTHETIC, places_for, with_half
 from sim.scene.notation import number
 from sim.scene.said import joined, said
 
 
-def of_pair(pair: Pair, names: tuple[str, str], *, synthetic: bool = False) -> list[str]:
+def of_pair(
+    pair: SensorComparison, names: tuple[str, str], *, synthetic: bool = False
+) -> list[str]:
     """What two force sensors say about the third law; nothing, where they are `synthetic`."""
     found = [*_greatest(pair, names), _compared(pair, names, synthetic=synthetic)]
     zeros = [number(zero, 3) for zero in pair.zeros]
@@ -39,7 +41,7 @@ def of_pair(pair: Pair, names: tuple[str, str], *, synthetic: bool = False) -> l
     return found
 
 
-def _greatest(pair: Pair, names: tuple[str, str]) -> list[str]:
+def _greatest(pair: SensorComparison, names: tuple[str, str]) -> list[str]:
     """Forces, impulses, where their sum is farthest from zero, and the ratio of both."""
     a, b = names
     sure = 2.0 * max(pair.impulse_sd)
@@ -77,12 +79,12 @@ def _greatest(pair: Pair, names: tuple[str, str]) -> list[str]:
     ]
 
 
-def _late(pair: Pair) -> bool:
+def _late(pair: SensorComparison) -> bool:
     """Whether one sensor's readings come later than the other's."""
     return abs(pair.lag) > 0.5 * (pair.t[-1] - pair.t[0]) / (len(pair.t) - 1)
 
 
-def _equal(pair: Pair, names: tuple[str, str]) -> str:
+def _equal(pair: SensorComparison, names: tuple[str, str]) -> str:
     """At every instant, where no clock was moved to find it so."""
     percent = number(max(0.1, 100.0 * (abs(pair.ratio - 1.0) + pair.ratio_half)), 1)
     if pair.set is None and not _late(pair):
@@ -102,7 +104,7 @@ def _equal(pair: Pair, names: tuple[str, str]) -> str:
     )
 
 
-def _compared(pair: Pair, names: tuple[str, str], *, synthetic: bool) -> str:
+def _compared(pair: SensorComparison, names: tuple[str, str], *, synthetic: bool) -> str:
     """Whether both forces are equal and opposite, as far as the sensors tell."""
     time, most = pair.apart
     off = abs(pair.ratio - 1.0)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from sim.measured.third_law import Pair
+from sim.measured.third_law import SensorComparison
 from sim.measured.words.fit import SYNTHETIC, places_for, with_half
 from sim.scene.notation import number
 from sim.scene.said import said
 
 
-def of_phones(pair: Pair, names: tuple[str, str], *, synthetic: bool = False) -> list[str]:
+def of_phones(
+    pair: SensorComparison, names: tuple[str, str], *, synthetic: bool = False
+) -> list[str]:
     """Accelerations of the common push; their ratio is that of the masses the other way round."""
     a, b = names
     sure = 2.0 * max(pair.impulse_sd)
