@@ -23,7 +23,7 @@ JUDGED, FEWEST = 40, 8
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class StepMatch:
     """`lag`: s, how much later the first cart changes; `apart`: root mean square of n_A − n_B,
     `surely`: the same beyond the noise of both; `cells`: how many cells of the grid tell it.
     `unsure`: s, standard deviation of the lag by the noise of the velocities before and after."""
@@ -35,7 +35,7 @@ class Step:
     cells: int
 
 
-def in_step(grid: Grid, begin: float, end: float) -> Step:
+def in_step(grid: Grid, begin: float, end: float) -> StepMatch:
     """Both curves compared between two times."""
     import numpy as np
 
@@ -52,7 +52,7 @@ def in_step(grid: Grid, begin: float, end: float) -> Step:
     apart = float(np.mean(left**2))
     # Half of the time the share is told by the velocity before, half of it by that after.
     unsure = (high - low) * grid.step * (noise / 2.0) ** 0.5
-    return Step(lag, unsure, apart**0.5, max(apart - noise, 0.0) ** 0.5, high - low + 1)
+    return StepMatch(lag, unsure, apart**0.5, max(apart - noise, 0.0) ** 0.5, high - low + 1)
 
 
 def _noise(v: Floats) -> float:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from sim.measured.events.in_step import Step
+from sim.measured.events.in_step import StepMatch
 from sim.measured.events.outcome import HALF, Outcome, spread
 from sim.measured.events.quantities import directions, loss
 from sim.measured.events.sides import Speeds
@@ -33,7 +33,7 @@ class Momentum:
 
 
 def momentum_of(
-    speeds: Speeds, masses: tuple[float, float], step: Step, outcome: Outcome
+    speeds: Speeds, masses: tuple[float, float], step: StepMatch, outcome: Outcome
 ) -> Momentum:
     """`masses`: kg, A and B."""
     a, b = masses

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from typing import Literal
 
 from sim.measured.events.contacts import Contact
-from sim.measured.events.in_step import Step
+from sim.measured.events.in_step import StepMatch
 from sim.measured.events.sides import Speeds
 from sim.measured.refusal import FitError
 from sim.scene.said import said
@@ -104,7 +104,7 @@ def spread(speeds: Speeds, slopes: Sequence[float]) -> float:
 
 def check_push(
     speeds: Speeds,
-    step: Step,
+    step: StepMatch,
     contact: Contact,
     frame: float,
     names: tuple[str, str],
@@ -129,7 +129,7 @@ def check_push(
 
 
 def _in_time(
-    speeds: Speeds, step: Step, contact: Contact, frame: float, names: tuple[str, str]
+    speeds: Speeds, step: StepMatch, contact: Contact, frame: float, names: tuple[str, str]
 ) -> None:
     v, late = speeds.v, 0 if step.lag > 0.0 else 1
     rests = _comes_to_rest(v, late)

@@ -16,7 +16,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from sim.measured.events.contacts import Contact
-from sim.measured.events.in_step import Step
+from sim.measured.events.in_step import StepMatch
 from sim.measured.events.outcome import AT_REST, HALF, Outcome, spread
 from sim.measured.events.sides import Speeds
 from sim.measured.events.together import Together
@@ -83,7 +83,7 @@ def slopes_of(function: Callable[[Values], float], v: Values) -> list[float]:
     return found
 
 
-def loss(v: Values, step: Step | None, outcome: Outcome) -> float:
+def loss(v: Values, step: StepMatch | None, outcome: Outcome) -> float:
     """Share of the push that friction may take in this contact; `v` before and after, in m/s."""
     if outcome != "bounce":
         return LOSS
@@ -116,7 +116,7 @@ def quantities_of_outcome(
     outcome: Outcome,
     speeds: Speeds,
     contact: Contact,
-    step: Step,
+    step: StepMatch,
     names: tuple[str, str],
     masses: Mapping[str, float] | None = None,
     two: bool = False,
@@ -200,7 +200,7 @@ def _bounciness(speeds: Speeds, beside: Together | None) -> Known | Untold:
 
 
 def mass_ratio(
-    speeds: Speeds, step: Step, outcome: Outcome, names: tuple[str, str], two: bool = False
+    speeds: Speeds, step: StepMatch, outcome: Outcome, names: tuple[str, str], two: bool = False
 ) -> Known | Untold:
     """B ÷ A, with what friction in the contact may take; `two` sensors, each with its scale."""
     name = of_ratio(names)

@@ -9,7 +9,7 @@ from sim.measured.events.by_hand import Given, with_contacts, with_segments
 from sim.measured.events.contacts import Contact, chosen, contacts, where_near
 from sim.measured.events.frames import Axis, Frames, frames_of, moved
 from sim.measured.events.grid import grid_of
-from sim.measured.events.in_step import Step, in_step
+from sim.measured.events.in_step import StepMatch, in_step
 from sim.measured.events.outcome import Outcome, check_push, check_seen, outcome_of, perhaps_lost
 from sim.measured.events.pushed_off import by_hands
 from sim.measured.events.quantities import SCALES
@@ -46,7 +46,7 @@ class Story:
     segments: tuple[Segment, ...] = ()
     frames: Frames | None = None
     speeds: Speeds | None = None
-    step: Step | None = None
+    step: StepMatch | None = None
     outcome: Outcome | None = None
     together: Together | None = None  # where the velocities alone tell a stick
     lost: int | None = None  # the cart of which a reader says that the other tells its velocity
