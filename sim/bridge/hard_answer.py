@@ -55,9 +55,9 @@ def hard_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[float
     start = time.perf_counter()
     solved = run(scene, keep_events=kept, keep_motion=kept)
     spent = time.perf_counter() - start
-    told = report(solved)
+    report_values = report(solved)
     header = {
-        "exact": {"got": [read(told, what) for what, _ in wanted], "seconds": spent},
+        "exact": {"got": [read(report_values, what) for what, _ in wanted], "seconds": spent},
         "stepped": [_stepped(scene, method, wanted, solved) for method in METHODS],
     }
     return finite(header), array("d")
@@ -75,10 +75,10 @@ def _stepped(scene: Scene, method: str, wanted: Wanted, solved: Run) -> dict[str
     lost = {"got": [None for _ in wanted], "verdict": "blows-up", "made": None}
     try:
         result = stepped(scene, MethodChoice(method, step=step_of(scene)), keep_events=True)
-        told = stepped_report(result)
+        report_values = stepped_report(result)
     except (OverflowError, ValueError, UnsolvedError):
         return tried | lost
-    got = [_read(told, what) for what, _ in wanted]
+    got = [_read(report_values, what) for what, _ in wanted]
     made = result.lost_energy / _energy(solved)
     return tried | {
         "got": got,
@@ -87,10 +87,10 @@ def _stepped(scene: Scene, method: str, wanted: Wanted, solved: Run) -> dict[str
     }
 
 
-def _read(told: dict[str, Any], what: str) -> float | None:
+def _read(report_values: dict[str, Any], what: str) -> float | None:
     """A number that may be missing: no contact, or one beyond all numbers."""
     try:
-        return read(told, what)
+        return read(report_values, what)
     except (KeyError, TypeError, ValueError):
         return None
 
