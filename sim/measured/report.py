@@ -117,8 +117,9 @@ def span(measured: Measured) -> tuple[float, float]:
 def forces_report(measured: Measured, pair: SensorComparison) -> dict[str, Any]:
     """What two force sensors or two phones say."""
     phones = measured.kind == "acceleration"
-    said = (of_phones if phones else of_pair)(pair, measured.names, synthetic=measured.synthetic)
-    said += [of_clocks(pair.set)] if pair.set is not None else []
+    words = of_phones if phones else of_pair
+    sentences = words(pair, measured.names, synthetic=measured.synthetic)
+    sentences += [of_clocks(pair.set)] if pair.set is not None else []
     return {
         "format": FORMAT,
         "kind": "accelerations" if measured.kind == "acceleration" else "forces",
@@ -134,7 +135,7 @@ def forces_report(measured: Measured, pair: SensorComparison) -> dict[str, Any]:
         "noise": list(pair.noise),
         "lag": pair.lag,
         "set": pair.set,
-        "sentences": said,
+        "sentences": sentences,
     }
 
 

@@ -71,9 +71,9 @@ def by_velocities(
     base = base_report(measured, story, story.outcome, None)
     ratio = next((one for one in known if one.key == "mass_ratio"), None)
     told = [row_of(one) for one in known]
-    said = [*as_sure(base["sentences"], told), *_momentum_said(story, masses)]
+    sentences = [*as_sure(base["sentences"], told), *_momentum_said(story, masses)]
     if balance := of_balance(ratio, masses, names, synthetic=measured.synthetic):
-        said.append(balance)
+        sentences.append(balance)
     model: dict[str, Any] = {}
     if made is not None:
         by_key = {one.key: one for one in known}
@@ -92,7 +92,7 @@ def by_velocities(
         "known": told,
         "untold": [{"key": o.key, "name": o.name, "reason": o.reason} for o in untold],
         "momentum": _momentum(story, masses),
-        "sentences": [*said, of_law(synthetic=measured.synthetic)],
+        "sentences": [*sentences, of_law(synthetic=measured.synthetic)],
     }  # fmt: skip
 
 

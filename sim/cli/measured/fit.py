@@ -137,8 +137,8 @@ def _read(ctx: click.Context, files: tuple[str, ...], chosen: Options) -> Measur
     warn_of_units(ctx, measured)
     given = typed(ctx, OF_UNITS)
     warn_of_assumed(measured, given)
-    said = units_said(measured.assumed, chosen.units, given)
-    return replace(measured, notes=(*said, *measured.notes))
+    notes = units_said(measured.assumed, chosen.units, given)
+    return replace(measured, notes=(*notes, *measured.notes))
 
 
 def _write(

@@ -30,11 +30,11 @@ class Axis:
 
 @dataclass(frozen=True, slots=True)
 class Frames:
-    """Both axes. `joined`: they were found by the contact. `said`: sentences for the reader."""
+    """Both axes. `joined`: they were found by the contact. `sentences`: for the reader."""
 
     axes: tuple[Axis, Axis]
     joined: bool
-    said: tuple[str, ...] = ()
+    sentences: tuple[str, ...] = ()
 
 
 def frames_of(

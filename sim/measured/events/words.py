@@ -50,7 +50,7 @@ def of_story(story: Story, names: tuple[str, str]) -> list[str]:
                 other=names[1 - story.lost],
             )
         )
-    found += story.frames.said if story.frames else ()
+    found += story.frames.sentences if story.frames else ()
     others = [one for one in story.contacts if one != story.contact]
     if others and story.contact:
         found.append(
@@ -72,10 +72,10 @@ def _stuck(limit: float) -> Said:
     )
 
 
-def as_sure(said: Sequence[str], known: Sequence[Mapping[str, Any]]) -> list[str]:
+def as_sure(sentences: Sequence[str], known: Sequence[Mapping[str, Any]]) -> list[str]:
     """The sentences, without that the carts part where e, of the rows that are told, may be 0."""
     perhaps = any(one["key"] == "e" and one["low"] <= 0.0 for one in known)
-    return [PARTED_PERHAPS if perhaps and one == OUTCOMES["bounce"] else one for one in said]
+    return [PARTED_PERHAPS if perhaps and one == OUTCOMES["bounce"] else one for one in sentences]
 
 
 def of_taken(speeds: Speeds) -> str:

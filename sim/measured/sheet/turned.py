@@ -19,8 +19,8 @@ def along_the_track(table: Table, columns: Sequence[Column]) -> tuple[list[Colum
     ]
     if len(paths) < len(columns) or not all(paths):
         return list(columns), []
-    axis, said = direction.of_film(paths)  # type: ignore[arg-type]
-    notes = [said] if said else []
+    axis, note = direction.of_film(paths)  # type: ignore[arg-type]
+    notes = [note] if note else []
     if axis == (1.0, 0.0):
         return list(columns), notes
     return [_turned(x, y, axis) for x, y in zip(columns, beside, strict=True) if y], notes
