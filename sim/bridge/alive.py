@@ -9,15 +9,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-_listeners: list[Callable[[], object]] = []
+_listener: Callable[[], object] | None = None
 
 
 def listen(call: Callable[[], object]) -> None:
-    """From now on `call` is told, and nobody else."""
-    _listeners[:] = [call]
+    """Set the one listener; it replaces any earlier one."""
+    global _listener  # noqa: PLW0603
+    _listener = call
 
 
 def alive() -> None:
     """Tell that the answer is at work."""
-    for call in _listeners:
-        call()
+    if _listener:
+        _listener()

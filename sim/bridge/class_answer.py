@@ -23,6 +23,7 @@ import time
 from array import array
 from base64 import b64decode
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 from sim.classroom.files.codes import read_codes
@@ -44,11 +45,12 @@ SLICE = 0.4
 """s. How long a page waits for a slice of files."""
 
 
+@dataclass(slots=True)
 class _Intake:
     """The files that are being read, and how many outcomes of them were handed on."""
 
-    coming: Iterator[Outcome] = iter(())
-    done = 0
+    coming: Iterator[Outcome] = field(default_factory=lambda: iter(()))
+    outcomes_sent: int = 0
 
 
 _intake = _Intake()
@@ -72,17 +74,17 @@ def _read(request: Mapping[str, Any]) -> dict[str, Any]:
     """Records, keys, marks and refusals of the next slice."""
     start = int(request.get("from") or 0)
     if "files" in request:
-        _intake.coming, _intake.done = _outcomes(request["files"], start), start
-    elif start != _intake.done:
+        _intake.coming, _intake.outcomes_sent = _outcomes(request["files"], start), start
+    elif start != _intake.outcomes_sent:
         return {"lost": True}
     reading, end, following = Reading.of([]), 0.0, None
     for outcome in _intake.coming:
         reading.add(outcome)
-        _intake.done += 1
+        _intake.outcomes_sent += 1
         now = time.monotonic()
         end = end or now + SLICE  # what is known and skipped is in no slice
         if now > end:
-            following = _intake.done
+            following = _intake.outcomes_sent
             break
     else:
         _intake.coming = iter(())
