@@ -26,6 +26,7 @@ from sim.dynamics.cost.measure import choices, exact_rows, row
 from sim.dynamics.cost.report import digits_of, floor_of, row_object, speed_of
 from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import finite
+from sim.dynamics.result.finished import Run
 from sim.dynamics.result.ledger import kinetic
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.dynamics.result.trajectory import sample
@@ -102,7 +103,7 @@ def _named(names: list[str], values: tuple[float, ...]) -> dict[str, float]:
     return dict(zip(names, values, strict=True))
 
 
-def _columns(scene: Scene, solved: Any, result: SteppedRun) -> tuple[array[float], int]:
+def _columns(scene: Scene, solved: Run, result: SteppedRun) -> tuple[array[float], int]:
     """Both runs at the ends of steps."""
     columns = result.samples.columns
     times = columns[("t",)]

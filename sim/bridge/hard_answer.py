@@ -40,7 +40,14 @@ STEP = 1 / 60
 MOST_STEPS = 5_000
 """A longer run gets longer steps: it has to end while a reader waits."""
 
-RIGHT, ENERGY, FAST, APART = 0.01, 0.02, 20.0, 1e-3
+RIGHT = 0.01
+"""Of what counts in the scene (`_scale`): a number that is off by so much at most is right."""
+ENERGY = 0.02
+"""Of all the energy in the scene: more of it made or lost is told."""
+FAST = 20.0
+"""Times what all the energy could give a cart: a speed above it has blown up."""
+APART = 1e-3
+"""Of the speed at which two carts part: with less of it they stay together."""
 LEAST_LENGTH = 0.1
 """m. Places are judged by 1 % of themselves, or of this."""
 
