@@ -40,7 +40,7 @@ class TableError(ValueError):
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class TableRow:
     """Cells without spaces around them, and the line of the file where they begin."""
 
     line: int
@@ -79,7 +79,7 @@ class _Lines:
         return self.lines[self.at - 1]
 
 
-def rows_of(content: bytes) -> Iterator[Row | Broken]:
+def rows_of(content: bytes) -> Iterator[TableRow | Broken]:
     """Rows with anything in them, the header first; raises `TableError`."""
     text = _text(content).replace("\r\n", "\n").replace("\r", "\n")
     delimiter, first = _told(text), 1
@@ -91,7 +91,7 @@ def rows_of(content: bytes) -> Iterator[Row | Broken]:
     while count <= MOST_ROWS:
         lines.start = lines.at
         line = lines.start + first
-        made: Row | Broken
+        made: TableRow | Broken
         try:
             cells = next(found)
         except StopIteration:
@@ -104,7 +104,7 @@ def rows_of(content: bytes) -> Iterator[Row | Broken]:
             stripped = tuple(cell.replace("\u00a0", " ").strip() for cell in cells)
             if not any(stripped):
                 continue
-            made = Row(line, stripped)
+            made = TableRow(line, stripped)
             if len(stripped) > MOST_COLUMNS:
                 made = Broken(line, said("more than {most} columns", most=f"{MOST_COLUMNS:,}"))
         count += 1

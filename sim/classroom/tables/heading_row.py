@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from sim.classroom.tables.cells import Row, TableError
+from sim.classroom.tables.cells import TableError, TableRow
 from sim.classroom.tables.layout import norm
 from sim.classroom.tables.marks import is_mark
 from sim.classroom.tables.words import WHO
@@ -14,7 +14,7 @@ LOOKED_AT = 10
 """Rows among which that of the headings is looked for."""
 
 
-def from_the_heads(rows: Sequence[Row]) -> Sequence[Row]:
+def from_the_heads(rows: Sequence[TableRow]) -> Sequence[TableRow]:
     """The rows from the headings on: from the first that names students; else, from the first with
     two cells. Raises `TableError` where a student stands in their place.
     """
@@ -28,18 +28,18 @@ def from_the_heads(rows: Sequence[Row]) -> Sequence[Row]:
     return rows[start:]
 
 
-def _filled(row: Row) -> int:
+def _filled(row: TableRow) -> int:
     return sum(bool(cell) for cell in row.cells)
 
 
-def _names_students(row: Row) -> bool:
+def _names_students(row: TableRow) -> bool:
     """A title may hold such a word beside its own, as in `name:, 7a`: headings are no marks."""
     return any(norm(cell) in WHO for cell in row.cells) and not any(
         is_mark(cell) for cell in row.cells if cell
     )
 
 
-def _is_a_student(heads: Row) -> bool:
+def _is_a_student(heads: TableRow) -> bool:
     """A word and then marks, which do not count questions."""
     name, *rest = heads.cells
     if not rest or norm(name) in WHO or is_mark(name) or not all(map(is_mark, rest)):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from sim.classroom.tables.cells import MOST_COLUMNS, Row
+from sim.classroom.tables.cells import MOST_COLUMNS, TableRow
 from sim.classroom.tables.layout import Column, Layout
 from sim.scene.said import said, template
 
@@ -13,8 +13,8 @@ Bad = tuple[int, str]
 
 
 def pivoted(
-    layout: Layout, heads: Row, rows: Sequence[Row]
-) -> tuple[Layout, Row, list[Row], list[Bad]]:
+    layout: Layout, heads: TableRow, rows: Sequence[TableRow]
+) -> tuple[Layout, TableRow, list[TableRow], list[Bad]]:
     """Layout, headings, rows and bad lines of the wide table; rows bear their first line.
 
     Columns: student, group, class, time, then the items in their order.
@@ -44,7 +44,7 @@ def pivoted(
             names.setdefault(name, 4 + len(names))
             answers[name] = mark
     wide = [
-        Row(lines[cells], (*cells, *(answers.get(name, "") for name in names)))
+        TableRow(lines[cells], (*cells, *(answers.get(name, "") for name in names)))
         for cells, answers in made.items()
     ]
     places = [k if place is not None else None for k, place in enumerate(fixed, 1)]
@@ -54,7 +54,7 @@ def pivoted(
             group=places[0], klass=places[1], time=places[2],
             items=tuple(Column(k, name, "", column.of) for name, k in names.items()),
         ),
-        Row(heads.line, ("", "", "", "", *names)),
+        TableRow(heads.line, ("", "", "", "", *names)),
         wide,
         bad,
     )  # fmt: skip

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from sim.classroom.statistics.spread import Exact
-from sim.classroom.tables.cells import Row, TableError
+from sim.classroom.tables.cells import TableError, TableRow
 from sim.classroom.tables.layout import Layout, norm
 from sim.classroom.tables.marks import is_nothing, mark
 from sim.classroom.tables.words import (
@@ -44,7 +44,7 @@ class Columns:
         student = layout.student[0][0] if layout.student else None
         return Columns(student, (layout.group, layout.klass))
 
-    def named(self, row: Row) -> str:
+    def named(self, row: TableRow) -> str:
         """What stands in the column of students, or in the first one where nothing does."""
         return row.cell(self.student) or row.cells[0]
 
@@ -53,13 +53,13 @@ class Columns:
 class Parted:
     """The rows of a table, each kind in its order. `notes`: what their names might also mean."""
 
-    students: list[Row]
-    keys: list[Row] = field(default_factory=list)
-    most: list[Row] = field(default_factory=list)
-    notes: list[tuple[Row, str, Kind]] = field(default_factory=list)
+    students: list[TableRow]
+    keys: list[TableRow] = field(default_factory=list)
+    most: list[TableRow] = field(default_factory=list)
+    notes: list[tuple[TableRow, str, Kind]] = field(default_factory=list)
 
 
-def parted(rows: Sequence[Row], columns: Columns) -> Parted:
+def parted(rows: Sequence[TableRow], columns: Columns) -> Parted:
     """Students, and what is none."""
     kinds = [_kind(row, columns) for row in rows]
     if "sums" in kinds:
@@ -79,7 +79,7 @@ def parted(rows: Sequence[Row], columns: Columns) -> Parted:
     return found
 
 
-def _kind(row: Row, columns: Columns, figures: frozenset[str] = FIGURES) -> Kind | None:
+def _kind(row: TableRow, columns: Columns, figures: frozenset[str] = FIGURES) -> Kind | None:
     name = columns.named(row)
     word = norm(name)
     beside = any(not is_nothing(row.cell(place)) for place in columns.beside)
@@ -95,7 +95,7 @@ def _alone(name: str) -> str:
     return _WITH_COUNT.sub("", norm(name))
 
 
-def _sums_up(row: Row, name: str, highest: dict[int, Exact]) -> bool:
+def _sums_up(row: TableRow, name: str, highest: dict[int, Exact]) -> bool:
     """Whether they can be sums, at least the highest of each column: one may be called Sum."""
     marks = dict(_marks(row))
     if _alone(name) in FIGURES | NAMES_OR_FIGURES:
@@ -103,7 +103,7 @@ def _sums_up(row: Row, name: str, highest: dict[int, Exact]) -> bool:
     return bool(marks) and all(value >= highest.get(place, 0) for place, value in marks.items())
 
 
-def _highest(rows: Iterable[Row]) -> dict[int, Exact]:
+def _highest(rows: Iterable[TableRow]) -> dict[int, Exact]:
     found: dict[int, Exact] = {}
     for row in rows:
         for place, value in _marks(row):
@@ -111,7 +111,7 @@ def _highest(rows: Iterable[Row]) -> dict[int, Exact]:
     return found
 
 
-def _marks(row: Row) -> Iterator[tuple[int, Exact]]:
+def _marks(row: TableRow) -> Iterator[tuple[int, Exact]]:
     for place, cell in enumerate(row.cells):
         try:
             value, _ = mark(cell)

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from sim.classroom.statistics.spread import Exact
-from sim.classroom.tables.cells import Row, TableError
+from sim.classroom.tables.cells import TableError, TableRow
 from sim.classroom.tables.column_of_tests import time_of
 from sim.classroom.tables.heading_maximum import split_most, too_low, with_most
 from sim.classroom.tables.layout import (
@@ -40,13 +40,13 @@ ENOUGH = 0.5
 """Share of filled cells that must be marks or letters, for a column to be a question."""
 
 
-def columns(heads: Sequence[str], rows: Sequence[Row]) -> Columns:
+def columns(heads: Sequence[str], rows: Sequence[TableRow]) -> Columns:
     """Who, group and class."""
     who = named_by(heads, rows)
     return Columns(who[0] if who else None, (place_of(heads, GROUP), place_of(heads, CLASS)))
 
 
-def layout(heads: Sequence[str], rows: Sequence[Row], keys: Sequence[Row]) -> Layout:
+def layout(heads: Sequence[str], rows: Sequence[TableRow], keys: Sequence[TableRow]) -> Layout:
     """The columns of the table; raises `TableError` where it holds no marks."""
     person = named_by(heads, (*rows, *keys))
     group, klass = place_of(heads, GROUP), place_of(heads, CLASS)
@@ -89,7 +89,7 @@ def _made(
     )  # fmt: skip
 
 
-def _column(place: int, heading: str, rows: Sequence[Row]) -> Column:
+def _column(place: int, heading: str, rows: Sequence[TableRow]) -> Column:
     """A total has no name: `pre`, `post (30)`, `total`; `pre (2024)` neither."""
     name, of = _told(heading, place, rows)
     if form := form_of(split_most(heading)[0]):
@@ -100,7 +100,7 @@ def _column(place: int, heading: str, rows: Sequence[Row]) -> Column:
     return Column(place, inner, form, of)
 
 
-def _told(heading: str, place: int, rows: Sequence[Row]) -> tuple[str, Exact | None]:
+def _told(heading: str, place: int, rows: Sequence[TableRow]) -> tuple[str, Exact | None]:
     """What a heading names, and the most marks that it tells and its column does not deny."""
     name, of = with_most(heading)
     if of is not None and too_low(of, (row.cell(place) for row in rows)):
@@ -109,7 +109,7 @@ def _told(heading: str, place: int, rows: Sequence[Row]) -> tuple[str, Exact | N
 
 
 def _single(
-    columns: Sequence[Column], rows: Sequence[Row], keys: Sequence[Row]
+    columns: Sequence[Column], rows: Sequence[TableRow], keys: Sequence[TableRow]
 ) -> Sequence[Column]:
     """`FCI_pre` and `FCI_post`, one column for each test, are totals."""
     formed = [c for c in columns if c.form and (not c.name or _is_item(c, rows, keys))]
@@ -119,7 +119,7 @@ def _single(
     return [replace(c, name="") if c in formed else c for c in columns]
 
 
-def _is_item(column: Column, rows: Sequence[Row], keys: Sequence[Row]) -> bool:
+def _is_item(column: Column, rows: Sequence[TableRow], keys: Sequence[TableRow]) -> bool:
     """With a row KEY every column that it fills; without, columns of marks or of single letters."""
     if keys:
         return any(row.cell(column.place) for row in keys)
@@ -129,7 +129,7 @@ def _is_item(column: Column, rows: Sequence[Row], keys: Sequence[Row]) -> bool:
     return bool(filled) and good >= ENOUGH * len(filled)
 
 
-def _adds_up(items: Sequence[Column], totals: Sequence[Column], rows: Sequence[Row]) -> bool:
+def _adds_up(items: Sequence[Column], totals: Sequence[Column], rows: Sequence[TableRow]) -> bool:
     """Whether the totals are those of the items: then the items tell more. Other columns of
     numbers (an earlier grade, an age) stand beside totals that they do not add up to.
     """

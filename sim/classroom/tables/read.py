@@ -8,7 +8,7 @@ from dataclasses import replace
 from sim.classroom.files.archive import shown as safe
 from sim.classroom.tables import plain
 from sim.classroom.tables import sentences as say
-from sim.classroom.tables.cells import Broken, Row, TableError, rows_of
+from sim.classroom.tables.cells import Broken, TableError, TableRow, rows_of
 from sim.classroom.tables.column_of_tests import time_of
 from sim.classroom.tables.exports import EXPORTS, canvas
 from sim.classroom.tables.heading_maximum import split_most
@@ -29,11 +29,11 @@ def read_table(name: str, content: bytes, form: str = "") -> MarkTable:
     """The table; raises `TableError`. `form`: of all its rows, where the teacher says so."""
     found = list(rows_of(content))
     refused = [(row.line, row.reason) for row in found if isinstance(row, Broken)]
-    rows = [row for row in found if isinstance(row, Row)]
+    rows = [row for row in found if isinstance(row, TableRow)]
     if not rows:
         raise TableError("there is no row in this file")
     heads, *rest = from_the_heads(rows)
-    heads = Row(heads.line, tuple(safe(cell) for cell in heads.cells))
+    heads = TableRow(heads.line, tuple(safe(cell) for cell in heads.cells))
     layout, heads, rows_, bad = _parted(heads, rest)
     refused += bad
     layout = _named(layout, rows_.most)
@@ -55,7 +55,7 @@ def read_table(name: str, content: bytes, form: str = "") -> MarkTable:
     )  # fmt: skip
 
 
-def _of_headings(layout: Layout, heads: Row, reader: RowReader) -> Iterator[str]:
+def _of_headings(layout: Layout, heads: TableRow, reader: RowReader) -> Iterator[str]:
     """Which numbers of headings count as the most marks: nobody else knows what they count."""
     if layout.kind != "plain" or reader.letters:
         return
@@ -70,7 +70,9 @@ def _of_headings(layout: Layout, heads: Row, reader: RowReader) -> Iterator[str]
         yield say.most_not_told(told[False])
 
 
-def _parted(heads: Row, rows: Sequence[Row]) -> tuple[Layout, Row, Parted, list[Bad]]:
+def _parted(
+    heads: TableRow, rows: Sequence[TableRow]
+) -> tuple[Layout, TableRow, Parted, list[Bad]]:
     """The columns, and which rows are students; a table with a row for each answer is wide now."""
     layout = next((made for one in EXPORTS if (made := one(heads.cells))), None)
     if layout is not None:
@@ -84,7 +86,7 @@ def _parted(heads: Row, rows: Sequence[Row]) -> tuple[Layout, Row, Parted, list[
     return layout, heads, parted(wide, Columns.of(layout)), bad
 
 
-def _with_time(layout: Layout, heads: Row, rows: Sequence[Row]) -> Layout:
+def _with_time(layout: Layout, heads: TableRow, rows: Sequence[TableRow]) -> Layout:
     """An export in which students said themselves whether it was before or after."""
     columns = (*layout.items, *layout.totals)
     if layout.time is not None or any(column.form for column in columns):
@@ -93,7 +95,7 @@ def _with_time(layout: Layout, heads: Row, rows: Sequence[Row]) -> Layout:
     return replace(layout, time=time_of(heads.cells, rows, taken))
 
 
-def _named(layout: Layout, most: Sequence[Row]) -> Layout:
+def _named(layout: Layout, most: Sequence[TableRow]) -> Layout:
     """Columns with the most marks that a row MAX tells, and no name twice in a form."""
     seen: set[tuple[str, str]] = set()
     items = []
@@ -109,7 +111,7 @@ def _named(layout: Layout, most: Sequence[Row]) -> Layout:
     )
 
 
-def _most(column: Column, rows: Sequence[Row]) -> Column:
+def _most(column: Column, rows: Sequence[TableRow]) -> Column:
     for row in rows:
         if not is_nothing(cell := row.cell(column.place)):
             try:
@@ -132,7 +134,7 @@ def _letters(layout: Layout, rows: Parted) -> bool:
     return lettered >= LETTERS and 2 * lettered > len(layout.items)
 
 
-def _lettered(column: Column, rows: Sequence[Row]) -> bool:
+def _lettered(column: Column, rows: Sequence[TableRow]) -> bool:
     """Whether most filled cells are letters: one absent student's do not make marks answers."""
     filled = [cell for row in rows if not is_nothing(cell := row.cell(column.place))]
     return 2 * sum(len(cell) == 1 and cell.isalpha() for cell in filled) > len(filled)

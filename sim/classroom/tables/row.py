@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from sim.classroom.statistics.spread import Exact
-from sim.classroom.tables.cells import Row, TableError
+from sim.classroom.tables.cells import TableError, TableRow
 from sim.classroom.tables.layout import Column, Layout, form_told, norm
 from sim.classroom.tables.marks import is_nothing, mark, shown
 from sim.classroom.tables.taken import ALONE, Taken
@@ -20,7 +20,7 @@ class RowReader:
     """Reads rows by a layout. `keys`: right answers by item, from rows KEY."""
 
     def __init__(
-        self, layout: Layout, heads: Row, keys: Sequence[Row], letters: bool, form: str
+        self, layout: Layout, heads: TableRow, keys: Sequence[TableRow], letters: bool, form: str
     ) -> None:
         self.layout = layout
         self.heads = heads
@@ -33,7 +33,7 @@ class RowReader:
             if not is_nothing(cell := row.cell(column.place))
         }
 
-    def taken(self, table: str, row: Row) -> Iterator[Taken]:
+    def taken(self, table: str, row: TableRow) -> Iterator[Taken]:
         """The tests that this student took; raises `TableError`."""
         layout = self.layout
         if len(row.cells) > len(self.heads.cells) and any(row.cells[len(self.heads.cells) :]):
@@ -53,7 +53,7 @@ class RowReader:
             if made:
                 yield made
 
-    def _student(self, row: Row) -> str:
+    def _student(self, row: TableRow) -> str:
         for places in self.layout.student:
             words = [cell for k in places if not is_nothing(cell := row.cell(k))]
             name = " ".join(words)
@@ -61,7 +61,7 @@ class RowReader:
                 return _short(name, template("the name of the student"))
         return ""
 
-    def _form(self, row: Row) -> str:
+    def _form(self, row: TableRow) -> str:
         if self.layout.time is None:
             return ALONE
         text = row.cell(self.layout.time)
@@ -71,7 +71,7 @@ class RowReader:
         return form
 
     def _one(
-        self, row: Row, columns: Sequence[Column], student: str, form: str, table: str
+        self, row: TableRow, columns: Sequence[Column], student: str, form: str, table: str
     ) -> Taken | None:
         """One test; None where nothing at all was answered: it was not taken."""
         group, klass = (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sim.classroom.tables.cells import Row
+from sim.classroom.tables.cells import TableRow
 from sim.classroom.tables.layout import norm, place_of
 from sim.classroom.tables.marks import is_mark
 from sim.classroom.tables.words import (
@@ -26,7 +26,7 @@ OTHERS = CLASS | GROUP | ITEM | MARK | NOTE | OTHER | TIME
 """What a first column of words may hold beside names, if its heading says so."""
 
 
-def named_by(heads: Sequence[str], rows: Sequence[Row]) -> tuple[int, ...]:
+def named_by(heads: Sequence[str], rows: Sequence[TableRow]) -> tuple[int, ...]:
     """The columns that name the student together; empty where none does.
 
     A code word goes before a name, a name before a number: that may count the answers only, and
@@ -45,7 +45,7 @@ def named_by(heads: Sequence[str], rows: Sequence[Row]) -> tuple[int, ...]:
     return (0,) if norm(heads[0]) not in OTHERS and _are_names(rows) else ()
 
 
-def _are_names(rows: Sequence[Row]) -> bool:
+def _are_names(rows: Sequence[TableRow]) -> bool:
     """Whether the first cells are words, in each row another."""
     first = [norm(row.cells[0]) for row in rows]
     return len(set(first)) == len(first) > 1 and not any(

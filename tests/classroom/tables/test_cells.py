@@ -6,11 +6,11 @@ import time
 
 import pytest
 
-from sim.classroom.tables.cells import Broken, Row, rows_of
+from sim.classroom.tables.cells import Broken, TableRow, rows_of
 
 
 def cells(text: str) -> list[tuple[str, ...]]:
-    return [row.cells for row in rows_of(text.encode()) if isinstance(row, Row)]
+    return [row.cells for row in rows_of(text.encode()) if isinstance(row, TableRow)]
 
 
 @pytest.mark.parametrize("told", ["", "sep=;\n"])
@@ -25,7 +25,7 @@ def test_questions_full_of_commas_do_not_hide_the_semicolons(told: str) -> None:
 def test_the_sign_after_sep_parts_the_cells_and_its_line_counts(sign: str) -> None:
     rows = list(rows_of(f"sep={sign}\r\nname{sign}pre, post; later\r\nAnna{sign}1".encode()))
     assert [row.line for row in rows] == [2, 3]
-    assert rows[1] == Row(3, ("Anna", "1"))
+    assert rows[1] == TableRow(3, ("Anna", "1"))
 
 
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
@@ -39,13 +39,13 @@ def test_a_quotation_mark_that_does_not_close_costs_its_own_line_only() -> None:
     for after in ("", '\n"Eva",3'):
         found = list(rows_of(f'name,pre\nA,1\n"Bob,1\nC,0\nD,1{after}'.encode()))
         assert [row.line for row in found if isinstance(row, Broken)] == [3]
-        names = [row.cells[0] for row in found if isinstance(row, Row)]
+        names = [row.cells[0] for row in found if isinstance(row, TableRow)]
         assert names == ["name", "A", "C", "D", *(["Eva"] if after else [])]
 
 
 def test_a_cell_may_hold_lines_and_the_next_row_knows_its_own() -> None:
     rows = list(rows_of(b'name,why\n"Anna","so\nand so"\nBen,x'))
-    assert rows[1:] == [Row(2, ("Anna", "so\nand so")), Row(4, ("Ben", "x"))]
+    assert rows[1:] == [TableRow(2, ("Anna", "so\nand so")), TableRow(4, ("Ben", "x"))]
 
 
 def test_very_many_open_quotation_marks_are_named_in_a_short_time() -> None:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from sim.classroom.tables.cells import Row, TableError
+from sim.classroom.tables.cells import TableError, TableRow
 from sim.classroom.tables.layout import form_told, norm, split_form
 from sim.classroom.tables.sentences import which_is_before
 
@@ -21,7 +21,7 @@ _READ_ONLY = "(read only)"
 _NOBODY = frozenset({"student, test", "test student"})
 
 
-def as_plain(heads: Row, rows: Sequence[Row]) -> tuple[Row, Sequence[Row]]:
+def as_plain(heads: TableRow, rows: Sequence[TableRow]) -> tuple[TableRow, Sequence[TableRow]]:
     """The same table with the columns of one of ours; any other as it is. Raises `TableError`
     where no test is told apart."""
     most = next((k for k, row in enumerate(rows) if norm(row.cells[0]) == _MOST), None)
@@ -40,8 +40,8 @@ def as_plain(heads: Row, rows: Sequence[Row]) -> tuple[Row, Sequence[Row]]:
     kept = [0, *([] if section is None else [section]), *called]
     names = ("student", *([] if section is None else ["class"]), *called.values())
     students = (row for row in rows[most:] if norm(row.cells[0]) not in _NOBODY)
-    return Row(heads.line, names), [
-        Row(row.line, tuple(_cell(row, k) for k in kept)) for row in students
+    return TableRow(heads.line, names), [
+        TableRow(row.line, tuple(_cell(row, k) for k in kept)) for row in students
     ]
 
 
@@ -49,7 +49,7 @@ def _form(name: str) -> str:
     return split_form(name)[0] or form_told(name)
 
 
-def _cell(row: Row, place: int) -> str:
+def _cell(row: TableRow, place: int) -> str:
     """`EX`: the student was excused, and has no mark."""
     cell = row.cell(place)
     return "" if cell == "EX" else cell
