@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from sim.measured.direction import Vector, along, axis_of, direction_note
 from sim.measured.refusal import no_number, refuse, shown
 from sim.measured.sheet import cells
-from sim.measured.sheet.cells import Row
+from sim.measured.sheet.cells import CellRow
 from sim.measured.track import FEWEST, Reading, Track
 from sim.measured.units import factor
 from sim.scene.said import said
@@ -90,7 +90,7 @@ def _check_times(markers: Sequence[tuple[str, Marks]]) -> None:
                 raise refuse(line, said("the time goes back"), hint)
 
 
-def marks_of(rows: Sequence[Row], column: int, times: Sequence[float], unit: str) -> Marks:
+def marks_of(rows: Sequence[CellRow], column: int, times: Sequence[float], unit: str) -> Marks:
     """Of the marker whose X stands in this column; hidden it is 0 0 0 or empty."""
     found: Marks = []
     hint = said("X Y Z in {unit}", unit=unit)

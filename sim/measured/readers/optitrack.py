@@ -17,7 +17,7 @@ from collections.abc import Sequence
 from sim.measured.markers import Filmed, marks_of, reading_of
 from sim.measured.refusal import no_number, refuse, shown
 from sim.measured.sheet import cells
-from sim.measured.sheet.cells import Row
+from sim.measured.sheet.cells import CellRow
 from sim.measured.track import Reading
 from sim.measured.units import Units
 from sim.scene.said import said
@@ -59,7 +59,7 @@ def read(text: str, units: Units) -> Reading:
     return reading_of(Filmed(markers, unit, len(times), rate), frames[0].line)
 
 
-def _columns(heads: Sequence[Row]) -> list[tuple[str, int]]:
+def _columns(heads: Sequence[CellRow]) -> list[tuple[str, int]]:
     """Names with the column of their X."""
     kinds, names = heads[0].cells, heads[1].cells
     what, axes = heads[-2].cells, heads[-1].cells
@@ -72,7 +72,7 @@ def _columns(heads: Sequence[Row]) -> list[tuple[str, int]]:
     return [(name, k) for _, name, k in (bodies if len(bodies) > 1 else found)]
 
 
-def _time(row: Row) -> float:
+def _time(row: CellRow) -> float:
     cell = (*row.cells, "", "")[1]
     if not cells.is_number(cell):
         raise refuse(row.line, no_number(cell), said("the time in s, in column 2"))

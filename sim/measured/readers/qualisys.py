@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from sim.measured.markers import Filmed, marks_of, reading_of
 from sim.measured.refusal import refuse
 from sim.measured.sheet import cells
-from sim.measured.sheet.cells import Row
+from sim.measured.sheet.cells import CellRow
 from sim.measured.track import Reading
 from sim.measured.units import Units
 from sim.scene.said import said
@@ -45,7 +45,7 @@ def read(text: str, units: Units) -> Reading:
     return reading_of(Filmed(markers, UNIT, frames[-1] + 1, rate), line)
 
 
-def _parts(rows: Sequence[Row]) -> tuple[dict[str, tuple[str, ...]], list[Row]]:
+def _parts(rows: Sequence[CellRow]) -> tuple[dict[str, tuple[str, ...]], list[CellRow]]:
     """Keys with their cells, and the rows of numbers."""
     head: dict[str, tuple[str, ...]] = {}
     for k, row in enumerate(rows):
@@ -66,7 +66,7 @@ def _rate(head: dict[str, tuple[str, ...]], line: int) -> float:
     return rate
 
 
-def _skipped(head: dict[str, tuple[str, ...]], rows: Sequence[Row], wanted: int) -> int:
+def _skipped(head: dict[str, tuple[str, ...]], rows: Sequence[CellRow], wanted: int) -> int:
     """Columns before the first marker: none, the time, or frame and time. A row in which the last
     marker is hidden is shorter."""
     if (beside := head.get("FRAME")) is not None:
@@ -75,7 +75,7 @@ def _skipped(head: dict[str, tuple[str, ...]], rows: Sequence[Row], wanted: int)
     return extra if extra in (1, 2) else 0
 
 
-def _frames(head: dict[str, tuple[str, ...]], rows: Sequence[Row]) -> list[int]:
+def _frames(head: dict[str, tuple[str, ...]], rows: Sequence[CellRow]) -> list[int]:
     """The number of each row's frame: of its line, empty ones counted, unless these are more than
     the head has frames (an editor may have put one behind each)."""
     stated = (*head.get("NO_OF_FRAMES", ()), "")[0]

@@ -19,7 +19,7 @@ from itertools import takewhile
 from sim.measured.markers import Filmed, marks_of, reading_of
 from sim.measured.refusal import refuse
 from sim.measured.sheet import cells
-from sim.measured.sheet.cells import Row
+from sim.measured.sheet.cells import CellRow
 from sim.measured.track import Reading
 from sim.measured.units import OFFERED, Units
 from sim.scene.said import said
@@ -59,7 +59,7 @@ def read(text: str, units: Units) -> Reading:
     return reading_of(Filmed(markers, unit, len(frames), rate), frames[0].line)
 
 
-def _names(row: Row) -> Sequence[tuple[str, int]]:
+def _names(row: CellRow) -> Sequence[tuple[str, int]]:
     """Each marker with the column of its X; without its subject, where no other has its name."""
     if row.first:  # a row without names is an empty line
         hint = said("label the markers, and export again")

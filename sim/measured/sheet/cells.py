@@ -49,7 +49,7 @@ _EMPTY = ("", "nan", "-nan", "null", "none", "n/a", "n.a.", "na", "#n/a", "#nv",
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class CellRow:
     """The cells of one line; `line` counts from 1, empty cells at the end are gone."""
 
     line: int
@@ -65,7 +65,7 @@ class Row:
 class Rows:
     """All lines that hold something, with the separator that was found."""
 
-    rows: tuple[Row, ...]
+    rows: tuple[CellRow, ...]
     separator: str
 
     @property
@@ -117,8 +117,8 @@ def rows_of(text: str) -> Rows:
     cells = [_cells(k, line, separator) for k, line in filled]
     cells = with_decimal_commas(cells) if separator == "," else cells
     if upright := stood_up(cells):
-        return Rows(tuple(Row(filled[0][0], row) for row in upright), separator)
-    rows = tuple(Row(k, row) for (k, _), row in zip(filled, cells, strict=True))
+        return Rows(tuple(CellRow(filled[0][0], row) for row in upright), separator)
+    rows = tuple(CellRow(k, row) for (k, _), row in zip(filled, cells, strict=True))
     for row in rows:
         if len(row.cells) > MOST_COLUMNS:
             reason = said(
@@ -202,6 +202,6 @@ def _freed(cell: str) -> str:
     return re.sub(r"[^\d+-]", "", cell[: decimals.start()]) + decimals[0]
 
 
-def numbers(rows: Sequence[Row]) -> Iterator[tuple[int, str]]:
+def numbers(rows: Sequence[CellRow]) -> Iterator[tuple[int, str]]:
     """All cells that hold a number, with their lines; without what parts thousands."""
     return ((row.line, plain(cell)) for row in rows for cell in row.cells if is_number(cell))

@@ -17,7 +17,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sim.measured.refusal import refuse
-from sim.measured.sheet.cells import Row
+from sim.measured.sheet.cells import CellRow
 from sim.measured.sheet.heads import quantity_of
 from sim.measured.sheet.prefixes import parted, run_alone
 from sim.measured.units import head
@@ -34,7 +34,7 @@ class Head:
     run: str = ""
 
 
-def heads_of(above: Sequence[Row], multi: bool) -> tuple[list[Head], int]:
+def heads_of(above: Sequence[CellRow], multi: bool) -> tuple[list[Head], int]:
     """The heads of all columns, and their line; none, where no row is one."""
     if not above:
         return [], 1

@@ -13,14 +13,14 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from sim.measured.sheet.cells import Row
+from sim.measured.sheet.cells import CellRow
 
 _LIMITS = re.compile(r"(?:MIN|MAX|SCALE|DEC)=\S*")
 _HEADS = "DEF="
 _RULE = re.compile(r"[-=+:]{3,}")
 
 
-def is_remark(row: Row) -> bool:
+def is_remark(row: CellRow) -> bool:
     """A column of running numbers may be called “#”: its row goes on."""
     first = row.cells[0] if row.cells else ""
     if any(row.cells) and all(_RULE.fullmatch(cell) for cell in row.cells if cell):
@@ -30,7 +30,7 @@ def is_remark(row: Row) -> bool:
     return first.startswith(("#", "%", "//")) and not (first == "#" and len(row.cells) > 2)
 
 
-def without_marks(row: Row, width: int) -> Row:
+def without_marks(row: CellRow, width: int) -> CellRow:
     """A row above numbers of so many columns, without what says that it holds the heads."""
     first, *others = row.cells or ("",)
     if first == "#" and len(others) == width:

@@ -12,7 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
-from sim.measured.sheet.cells import Row, is_empty
+from sim.measured.sheet.cells import CellRow, is_empty
 from sim.measured.sheet.head_rows import Head
 from sim.measured.sheet.heads import holds_times, quantity_of
 from sim.measured.sheet.whose import is_force, place_of
@@ -38,7 +38,7 @@ def is_made_date(cell: str) -> bool:
 
 
 def of_remarks(
-    heads: Sequence[Head], data: Sequence[Row], is_reading: Callable[[str], bool]
+    heads: Sequence[Head], data: Sequence[CellRow], is_reading: Callable[[str], bool]
 ) -> set[int]:
     """The places of the columns that hold remarks, from 0."""
     found = set()

@@ -6,11 +6,11 @@ import re
 from collections.abc import Sequence
 
 from sim.measured.refusal import Fault, in_line, refuse, shown
-from sim.measured.sheet.cells import Row, numbers, plain
+from sim.measured.sheet.cells import CellRow, numbers, plain
 from sim.scene.said import said
 
 
-def check_decimals(rows: Sequence[Row]) -> None:
+def check_decimals(rows: Sequence[CellRow]) -> None:
     """Refuses a text in which some numbers have a decimal point and others a decimal comma."""
     seen: dict[str, tuple[int, str]] = {}
     for line, cell in numbers(rows):
@@ -34,7 +34,7 @@ _WHOLE = re.compile(r"[+-]?[1-9]\d{2}")
 _FINE = re.compile(r"[+-]?[1-9]\d?,\d{3}")
 
 
-def check_thousands(rows: Sequence[Row], units: Sequence[str]) -> None:
+def check_thousands(rows: Sequence[CellRow], units: Sequence[str]) -> None:
     """Refuses a column in which 1,148 is most probably more than a thousand, and not 1.148.
 
     Whole numbers of three digits beside it say so, where every sign has three digits behind it
@@ -60,7 +60,7 @@ def check_thousands(rows: Sequence[Row], units: Sequence[str]) -> None:
             raise refuse(line, reason, hint)
 
 
-def two_readings(row: Row, columns: int) -> Fault | None:
+def two_readings(row: CellRow, columns: int) -> Fault | None:
     """The fault of a line in which the comma stands between cells and inside of numbers."""
     if columns and len(row.cells) >= 2 * columns - 1 and len(row.cells) > columns:
         reason = said(

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sim.measured.sheet import cells
-from sim.measured.sheet.cells import Row
+from sim.measured.sheet.cells import CellRow
 from sim.measured.sheet.prefixes import run_alone
 
 _FIGURES = frozenset((
@@ -39,19 +39,19 @@ class Start:
     run: str = ""
 
 
-def without_figures(rows: Sequence[Row]) -> list[Row]:
+def without_figures(rows: Sequence[CellRow]) -> list[CellRow]:
     """The rows without those that hold a mean, a maximum and the like of the readings."""
     return [row for row in rows if not _is_figure(row)]
 
 
-def _is_figure(row: Row) -> bool:
+def _is_figure(row: CellRow) -> bool:
     words = row.first.casefold().replace(".", "").strip(" :=").removesuffix(" dev")
     if len(row.cells) == 1:
         return words in _TITLES
     return words in _FIGURES and any(map(cells.is_number, row.cells[1:]))
 
 
-def stacked(rows: Sequence[Row], above: Sequence[Row]) -> tuple[list[Row], list[Start]]:
+def stacked(rows: Sequence[CellRow], above: Sequence[CellRow]) -> tuple[list[CellRow], list[Start]]:
     """The rows of numbers of all runs, and where each begins; `above`: the rows above the first.
 
     A row that stands above it stands above another run where it is repeated, and so does a row
@@ -59,7 +59,7 @@ def stacked(rows: Sequence[Row], above: Sequence[Row]) -> tuple[list[Row], list[
     """
     heads = {_folded(row) for row in above}
     first = next((run for row in above if (run := _named(row))), "")
-    data: list[Row] = []
+    data: list[CellRow] = []
     starts = [Start(0, first)]
     begins: str | None = None  # the name of the run that the next row begins, if it does
     for row in rows:
@@ -74,12 +74,12 @@ def stacked(rows: Sequence[Row], above: Sequence[Row]) -> tuple[list[Row], list[
     return data, starts
 
 
-def _named(row: Row) -> str:
+def _named(row: CellRow) -> str:
     filled = [cell for cell in row.cells if cell]
     return run_alone(filled[0]) if len(filled) == 1 else ""
 
 
-def _folded(row: Row) -> tuple[str, ...]:
+def _folded(row: CellRow) -> tuple[str, ...]:
     return tuple(cell.casefold() for cell in row.cells)
 
 

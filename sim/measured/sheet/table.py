@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 from sim.measured.refusal import Fault, ReadingError, no_number, refuse, shown, too_large
 from sim.measured.sheet import cells, signs
-from sim.measured.sheet.cells import Row, Rows
+from sim.measured.sheet.cells import CellRow, Rows
 from sim.measured.sheet.clock import seconds_of
 from sim.measured.sheet.head_rows import heads_of, no_heads
 from sim.measured.sheet.heads import is_time
@@ -88,11 +88,11 @@ def read_table(text: str) -> Table:
     return Table(columns, lines, heads_line, found.separator_name, _decimal(found), tuple(starts))
 
 
-def _is_multi(row: Row) -> bool:
+def _is_multi(row: CellRow) -> bool:
     return bool(row.cells) and row.cells[0].lower().startswith("#multi")
 
 
-def _is_data(row: Row, more: int) -> bool:
+def _is_data(row: CellRow, more: int) -> bool:
     """Mostly numbers: heads have none, and a row with one bad cell is a row with a mistake. `more`:
     0 where half of the cells may be words, as in a row of a cart with its name and its run."""
     filled = [cell for cell in row.cells if not cells.is_empty(cell)]
@@ -115,7 +115,7 @@ def _has_unit(cell: str) -> bool:
     return match is not None and kind_of_unit(match[1]) is not None
 
 
-def _first(data: Sequence[Row], k: int) -> str:
+def _first(data: Sequence[CellRow], k: int) -> str:
     """What stands first in a column."""
     return next((row.cells[k] for row in data if k < len(row.cells) and row.cells[k]), "")
 
@@ -139,7 +139,7 @@ _WITH_UNIT = re.compile(r"[-\d.,]+ *(\D+)")
 
 
 def _numbers(
-    data: Sequence[Row], width: int, names: Sequence[str] | None
+    data: Sequence[CellRow], width: int, names: Sequence[str] | None
 ) -> list[tuple[float | None, ...]]:
     """All rows as numbers; raises with the first lines that are none. `names` of the columns, if
     there are any: one without a name is not wanted."""

@@ -18,7 +18,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from sim.measured.sheet import cells
-from sim.measured.sheet.cells import Row
+from sim.measured.sheet.cells import CellRow
 from sim.measured.sheet.clock import seconds_of
 from sim.measured.sheet.head_rows import Head
 from sim.measured.sheet.heads import CART_WORDS, NUMBERED, holds_times
@@ -41,11 +41,11 @@ class Spread(NamedTuple):
     """The table with a set of columns for each cart. `starts`: where each run begins."""
 
     heads: list[Head]
-    data: list[Row]
+    data: list[CellRow]
     starts: list[Start]
 
 
-def spread(heads: Sequence[Head], data: Sequence[Row], starts: Sequence[Start]) -> Spread:
+def spread(heads: Sequence[Head], data: Sequence[CellRow], starts: Sequence[Start]) -> Spread:
     """The same where no column names carts or runs."""
     found = Spread(list(heads), list(data), list(starts))
     time = next((k for k, one in enumerate(heads) if holds_times(one.name, one.unit)), None)
@@ -63,7 +63,7 @@ def spread(heads: Sequence[Head], data: Sequence[Row], starts: Sequence[Start]) 
     return found if cart is None else _side_by_side(found, cart, time, labels)
 
 
-def _named(heads: Sequence[Head], data: Sequence[Row], names: re.Pattern[str]) -> int | None:
+def _named(heads: Sequence[Head], data: Sequence[CellRow], names: re.Pattern[str]) -> int | None:
     """Where a column stands whose head is one of these names and that is filled in every row."""
     for k, head in enumerate(heads):
         if names.fullmatch(head.name.strip()) and all(_label(row, k) for row in data):
@@ -71,7 +71,9 @@ def _named(heads: Sequence[Head], data: Sequence[Row], names: re.Pattern[str]) -
     return None
 
 
-def _of_words(heads: Sequence[Head], data: Sequence[Row], time: int, run: int | None) -> int | None:
+def _of_words(
+    heads: Sequence[Head], data: Sequence[CellRow], time: int, run: int | None
+) -> int | None:
     """The column of words, whatever its head says, without which the time goes back."""
     for k in range(len(heads)):
         told = {_label(row, k) for row in data}
@@ -88,9 +90,11 @@ SLIPS = 0.1
 which are told for their cart."""
 
 
-def _parted(data: Sequence[Row], time: int, labels: Sequence[int], slips: float = SLIPS) -> bool:
+def _parted(
+    data: Sequence[CellRow], time: int, labels: Sequence[int], slips: float = SLIPS
+) -> bool:
     """Whether the time rises in rows that agree in these columns, and enough of them do, twice."""
-    groups: dict[tuple[str, ...], list[Row]] = {}
+    groups: dict[tuple[str, ...], list[CellRow]] = {}
     for row in data:
         groups.setdefault(tuple(_folded(row, k) for k in labels), []).append(row)
     left = sum(_backwards(rows, time) for rows in groups.values())
@@ -98,7 +102,7 @@ def _parted(data: Sequence[Row], time: int, labels: Sequence[int], slips: float 
     return whole >= 2 and left <= slips * _backwards(data, time)
 
 
-def _backwards(rows: Iterable[Row], time: int) -> int:
+def _backwards(rows: Iterable[CellRow], time: int) -> int:
     """Steps in which the time does not rise."""
     told = [value for row in rows if (value := _seconds(_label(row, time))) is not None]
     return sum(a >= b for a, b in itertools.pairwise(told))
@@ -108,17 +112,17 @@ def _seconds(cell: str) -> float | None:
     return cells.number_of(cell) if cells.is_number(cell) else seconds_of(cell)
 
 
-def _label(row: Row, k: int) -> str:
+def _label(row: CellRow, k: int) -> str:
     return row.cells[k].strip() if k < len(row.cells) else ""
 
 
-def _folded(row: Row, k: int) -> str:
+def _folded(row: CellRow, k: int) -> str:
     return _label(row, k).casefold()
 
 
 def _below(table: Spread, run: int) -> Spread:
     """The runs below each other, in the order in which they begin."""
-    runs: dict[str, list[Row]] = {}
+    runs: dict[str, list[CellRow]] = {}
     called: dict[str, str] = {}
     for row in table.data:
         name = _label(row, run)
@@ -139,7 +143,7 @@ def _side_by_side(table: Spread, cart: int, time: int, labels: Sequence[int]) ->
     places = {folded: at * len(kept) for at, folded in enumerate(carts)}
     heads = [replace(table.heads[k], track=one) for one in carts.values() for k in kept]
     data = [
-        Row(row.line, ("",) * places[_folded(row, cart)] + tuple(_label(row, k) for k in kept))
+        CellRow(row.line, ("",) * places[_folded(row, cart)] + tuple(_label(row, k) for k in kept))
         for row in table.data
     ]
     return Spread(heads, data, table.starts)
