@@ -42,7 +42,7 @@ def peaks(plain: dict[str, Any]) -> list[Event]:
 
 @pytest.mark.parametrize("c", [1e-6, 3e-4, 2e-2])
 @pytest.mark.parametrize("speed", [0.3, 0.5, 2.0])
-def test_it_is_where_the_closed_form_turns(c: float, speed: float) -> None:
+def test_magnets_are_nearest_where_the_closed_form_turns(c: float, speed: float) -> None:
     (peak,) = peaks(scene(c, speed))
     mu, r0, w = 0.375, 0.6, -speed
     energy = 0.5 * mu * w * w + 0.5 * c / r0**2

@@ -48,7 +48,7 @@ def test_its_link_speaks_the_language_of_the_page() -> None:
     assert "影片文件" in built(TEXT, "zh-Hans")
 
 
-def test_a_question_may_show_one() -> None:
+def test_a_question_may_show_a_film() -> None:
     made = to_html("Which cart was pushed harder? ![a bump](bump.webm)")
     assert 'src="bump.webm"' in made
     assert "<video" in made

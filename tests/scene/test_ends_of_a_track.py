@@ -62,7 +62,7 @@ def test_an_unknown_name_is_refused_with_the_nearest_one() -> None:
 
 
 @pytest.mark.parametrize("what", WHAT)
-def test_an_open_end_is_nothing(what: str) -> None:
+def test_an_end_that_is_open_cannot_be_called_foam_or_spring(what: str) -> None:
     assert refusal({"length": 2, "left_is": what}) == (
         "track.left_is",
         "no-wall",

@@ -29,5 +29,5 @@ def test_a_creeping_cart_is_told_in_millimetres() -> None:
     assert told(0.004, v=1, p=5) == ["2.0 mm/s", "0.00200 → 0.00100 N s"]
 
 
-def test_any_other_in_metres() -> None:
+def test_momentum_is_told_in_newton_seconds_whatever_the_unit_of_speed() -> None:
     assert told(4.0, v=2, p=1) == ["2.00 m/s", "2.0 → 1.0 N s"]

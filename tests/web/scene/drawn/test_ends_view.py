@@ -186,7 +186,7 @@ def test_a_link_and_a_block_bring_it_back() -> None:
     assert read_fence(plain).scene.track.right_is == "spring"
 
 
-def test_a_prepared_run_knows_it() -> None:
+def test_a_prepared_run_names_what_stands_at_the_end() -> None:
     plain = read_fence(AGAINST).plain
     headers = [bake_with(plain, changes).header for changes in AGAINST["presets"].values()]
     told = [header["track"].get("right_is", "wall") for header in headers]
