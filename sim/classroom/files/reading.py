@@ -198,7 +198,8 @@ def _slim(answers: AnswerFile) -> AnswerFile:
 
 
 def _kept(item: Item) -> Mapping[str, str]:
-    """How sure; and of what has no key that tells the rest, its words."""
+    """What is kept beside the value: of predictions, which no key describes, all of `more`; else
+    only how sure the student was."""
     if item.type in NO_QUESTIONS:
         return item.more
     return {"sure": intern(item.more["sure"])} if "sure" in item.more else _NOTHING

@@ -72,12 +72,12 @@ def no_student(row: str, name: str, kind: str) -> str:
 
 
 def most_told(headings: Sequence[str]) -> str:
-    """Whose number counts as the most marks."""
+    """Headings whose number counts as the most marks."""
     return said("The headings tell the most marks: {headings}.", headings=_named(headings))
 
 
 def most_not_told(headings: Sequence[str]) -> str:
-    """Whose number is a year, a day, or below the marks that stand there."""
+    """Headings whose number is no maximum: a year, a day, or less than marks in the column."""
     return said("The number in a heading is not taken for the most marks: {headings}.",
                 headings=_named(headings))  # fmt: skip
 

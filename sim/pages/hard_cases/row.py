@@ -42,11 +42,6 @@ class HardCase:
         """Whether it runs in plain Python, without an integrator of scipy."""
         return has_formulas(self.plain.get("contact", {}).get("law"))
 
-    @property
-    def for_a_page(self) -> bool:
-        """Few enough events to be drawn, and no scipy needed."""
-        return self.events and self.has_formulas
-
 
 def at(position: Any, velocity: Any = 0, mass: Any = 1, length: Any = "0.2") -> dict[str, Any]:
     """One cart."""

@@ -85,7 +85,7 @@ def sentences() -> dict[str, list[str]]:
 
 
 def counted_sentences() -> dict[str, str]:
-    """Of each sentence that counts: its form for more and its form for one."""
+    """Of each sentence that counts: its form for more and its form for one. For tests."""
     return {pair[1]: pair[0] for pair in _found() if isinstance(pair, tuple)}
 
 
@@ -131,7 +131,7 @@ def updated(language: str) -> Catalog:
 
 
 def names_in(sentence: str) -> set[str]:
-    """The names in braces that a sentence has."""
+    """The names in braces that a sentence has. For tests of the catalogues."""
     return set(re.findall(r"\{(\w+)\}", sentence))
 
 
