@@ -7,7 +7,7 @@
     student, item, mark                      one row for each answer
 
 A row KEY gives right answers (letters), a row MAX the most marks; those of sums and means are not
-counted (apart.py).
+counted (non_student_rows.py).
 """
 
 from __future__ import annotations

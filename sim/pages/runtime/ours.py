@@ -29,7 +29,7 @@ LAW_ENTRY = "bridge/law_answer.py"
 """With this and the layer `mine` a page runs and judges laws that its reader writes."""
 PROOF_ENTRY = "bridge/certify_answer.py"
 """With this and the layer `certify` a page proves digits, once a reader asks for it."""
-NOT_RUN = {"page.md", "proof.py", "scenes", "view.js", "views.js", "lesson_set.py", "made.py"}
+NOT_RUN = {"page.md", "proof.py", "scenes", "view.js", "views.js", "lesson_set.py", "synthetic.py"}
 """Beside what runs: a page carries no proofs, docs and scenes of effects, nor what makes a
 lesson's readings, which holds their truth."""
 NOT_IN_CLASS = (
