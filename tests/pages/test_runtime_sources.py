@@ -13,7 +13,7 @@ import pytest
 
 from sim.pages.runtime import MissingSourceError, pack
 from sim.pages.runtime.cache import Cache, sha256
-from sim.pages.runtime.ours import read_classroom
+from sim.pages.runtime.ours import NOT_IN_CLASS, NOT_RUN, read_classroom
 from sim.pages.runtime.pack import PACKAGE
 from sim.pages.runtime.places import Place
 from sim.pages.runtime.sources import Wanted, collect
@@ -126,3 +126,10 @@ def test_the_class_page_carries_only_what_it_runs() -> None:
     run = [sys.executable, "-c", said]
     imported = subprocess.run(run, capture_output=True, text=True, check=True).stdout.split()
     assert carried - set(imported) == set()
+
+
+def test_what_a_page_does_not_carry_is_there_to_be_left_out() -> None:
+    """A file that has got another name would go along without a word."""
+    ours = Path(PACKAGE)
+    assert [name for name in NOT_RUN if not any(ours.rglob(name))] == []
+    assert [path for path in NOT_IN_CLASS if not (ours / path).is_file()] == []
