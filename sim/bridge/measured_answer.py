@@ -68,7 +68,7 @@ def measured_answer(request: Mapping[str, Any]) -> tuple[dict[str, Any], array[f
         header = {"refused": rows, "source": error.source}
     except FitError as error:
         header = {"refused": [{"line": None, "reason": error.reason, "hint": error.hint}]}
-    return _with_sentences_wired(header), array("d")
+    return _wired(header), array("d")
 
 
 def _finite(value: Any) -> bool:
@@ -78,15 +78,15 @@ def _finite(value: Any) -> bool:
     return not isinstance(value, float) or isfinite(value)
 
 
-def _with_sentences_wired(value: Any) -> Any:
+def _wired(value: Any) -> Any:
     """The same with every sentence in it as the wire has it; numbers, which are many, are passed
     over."""
     if isinstance(value, Said):
         return wire(value)
     if isinstance(value, Mapping):
-        return {key: _with_sentences_wired(one) for key, one in value.items()}
+        return {key: _wired(one) for key, one in value.items()}
     if isinstance(value, (list, tuple)) and value and not isinstance(value[0], float):
-        return [_with_sentences_wired(one) for one in value]
+        return [_wired(one) for one in value]
     return value
 
 

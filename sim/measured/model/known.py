@@ -51,10 +51,10 @@ def quantities_of_fit(
     """Everything that this fit says, and what it does not. `mass`: of one cart, in kg; `smoothed`:
     in s, how long a logger may make a contact look by itself."""
     p = fit.parameters
-    found: list[Known | Untold] = []
-    found.append(_plain(fit, "e", BOUNCINESS, p.e, {"e": 1.0}, ""))
-    ratio = of_ratio(names)
-    found.append(_log(fit, "mass_ratio", ratio, p.ratio, {"ln_ratio": 1.0}, ""))
+    found: list[Known | Untold] = [
+        _plain(fit, "e", BOUNCINESS, p.e, {"e": 1.0}, ""),
+        _log(fit, "mass_ratio", of_ratio(names), p.ratio, {"ln_ratio": 1.0}, ""),
+    ]
     for k, name in enumerate(names):
         if p.rests[k]:
             continue  # it is known to stand still

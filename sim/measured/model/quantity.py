@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sim.scene.said import said
@@ -37,11 +37,10 @@ class Untold:
     reason: str
 
 
-def known_and_untold(found: Iterable[Known | Untold]) -> tuple[list[Known], list[Untold]]:
+def known_and_untold(found: Sequence[Known | Untold]) -> tuple[list[Known], list[Untold]]:
     """Both kinds apart, each in the order it has."""
-    each = list(found)
-    known = [one for one in each if isinstance(one, Known)]
-    return known, [one for one in each if isinstance(one, Untold)]
+    known = [one for one in found if isinstance(one, Known)]
+    return known, [one for one in found if isinstance(one, Untold)]
 
 
 def not_shown(masses: str) -> str:
