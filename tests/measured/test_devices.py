@@ -129,7 +129,7 @@ def test_two_sensors_are_joined_by_the_contact_and_it_is_said() -> None:
     left, right = story.measured.tracks
     near = min(b - a for a, b in zip(left.value, right.value, strict=True))
     assert near == pytest.approx(0.1, abs=0.02)  # pressed in a little
-    assert any("joined by the contact" in one for one in story.frames.said)
+    assert any("joined by the contact" in one for one in story.frames.sentences)
     e = (story.speeds.v[3] - story.speeds.v[2]) / (story.speeds.v[0] - story.speeds.v[1])
     assert e == pytest.approx(LOGGED.e, abs=0.06)
 
@@ -160,7 +160,7 @@ def test_marks_are_as_far_apart_in_the_contact_as_is_said(
     assert story.frames is not None and story.speeds
     for axis, name in zip(story.frames.axes, ("1", "2"), strict=True):
         assert axis.zero == given.get(name, axis.zero)
-    (told,) = re.findall(r"the marks are (\S+) m apart", " ".join(story.frames.said))
+    (told,) = re.findall(r"the marks are (\S+) m apart", " ".join(story.frames.sentences))
     places = story.speeds.places
     assert 0.5 * (places[1] + places[3] - places[0] - places[2]) == pytest.approx(
         float(told), abs=1e-3

@@ -110,4 +110,4 @@ def test_a_distance_of_the_marks_that_nobody_gave_is_called_taken(
 ) -> None:
     story = story_of(read_measured([sensor_carts(LOGGED)]), Hints(distance=distance))
     assert story.frames is not None
-    assert words in " ".join(story.frames.said)
+    assert words in " ".join(story.frames.sentences)
