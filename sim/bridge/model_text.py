@@ -1,9 +1,9 @@
 """A scene as a program in plain Python, for readers who want to see all of a model, and change it.
 
-It steps (semi-implicit Euler, dt a hundredth of the shortest quarter swing), so it is nearly right
-where the run is exact; where that would take too many steps, it says so. It holds only what its
-scene calls for: each effect and each kind of contact is a piece of text that is left out where
-nothing needs it.
+It steps (semi-implicit Euler, dt a hundredth of the shortest time in which a force changes what
+moves), so it is nearly right where the run is exact; where that would take too many steps, it says
+so. It holds only what its scene calls for: each effect and each kind of contact is a piece of text
+that is left out where nothing needs it.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from sim.scene.effects import kinds
 from sim.scene.laws import folder_of
 
 PARTS = 100
-"""Steps in a quarter swing: the end of a contact is then met within a hundredth of it."""
+"""Steps in a quarter swing, or a fading: the end of a contact is met within a hundredth of it."""
 
 FEWEST, MOST_STEPS = 20_000, 2_000_000
 """Steps of a whole run: fine enough to print, and no longer than some seconds."""

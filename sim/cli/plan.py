@@ -76,17 +76,17 @@ def _relevance(name: str, description: Scene, *, as_json: bool) -> None:
 
     try:
         with still_computing():
-            rungs = ranked_effects(description)
+            ranked = ranked_effects(description)
     except UnsolvedError as error:
         scene_file.unsolved(name, error)
     if as_json:
-        click.echo(json.dumps(finite(rows(rungs)), ensure_ascii=False))
+        click.echo(json.dumps(finite(rows(ranked)), ensure_ascii=False))
         return
     line = f"---- a graph shows {100 * READS:g} % of its height, and nothing below ----"
     drawn = False
-    for rung in rungs:
-        if not rung.visible and not drawn:
+    for one in ranked:
+        if not one.visible and not drawn:
             click.echo(line)
             drawn = True
-        source = f" [{rung.candidate.source}]" if rung.candidate.source else ""
-        click.echo(f"{capital(rung.sentence)}{source}")
+        source = f" [{one.candidate.source}]" if one.candidate.source else ""
+        click.echo(f"{capital(one.sentence)}{source}")

@@ -59,3 +59,17 @@ def test_energies_are_told_in_joules_where_the_start_had_none_to_speak_of(
     header = {"v": {"stepped": {}, "exact": {}}, "energy": energy, "evaluations": 1}
     body = "const { told } = await import(`${view}/cost/words.js`); give(told(data)[0]);"
     assert in_node(body, header) == told
+
+
+@pytest.mark.parametrize(
+    ("exactly", "measure"),
+    [
+        ([2.0, 1.0, 3.0], {"whole": 2.0, "unit": "%", "ticked": 100}),
+        ([0.0, 60.0, 110.0], {"whole": 110.0, "unit": "J", "ticked": 110.0}),
+        ([0.0, 0.0], {"whole": 1, "unit": "J", "ticked": 1}),
+    ],
+)
+def test_so_does_the_graph_of_the_energy(exactly: list[float], measure: dict[str, Any]) -> None:
+    """Of a push from rest nearly all of the curve was cut off, at three times nothing."""
+    body = "const { measureOf } = await import(`${source}/cost/stage.js`); give(measureOf(data));"
+    assert in_node(body, exactly) == measure

@@ -12,7 +12,7 @@ from sim.dynamics.stepping.methods import MethodChoice
 from sim.dynamics.stepping.recorded import stepped
 from sim.scene import Scene, read_scene
 
-WAYS = [
+CHOICES = [
     MethodChoice("rk4", step=1e-3),
     MethodChoice("rk4-events", step=1e-2),
     MethodChoice("rk45", rtol=1e-9),
@@ -84,14 +84,14 @@ def test_the_exact_run_books_both_sides_of_what_holds_a_cart(case: str) -> None:
     assert books.imbalance() < 1e-12
 
 
-@pytest.mark.parametrize("way", WAYS, ids=lambda way: way.method)
+@pytest.mark.parametrize("choice", CHOICES, ids=lambda choice: choice.method)
 @pytest.mark.parametrize("case", CASES)
 def test_no_stepper_reports_what_holds_a_cart_as_its_own_error(
-    case: str, way: MethodChoice
+    case: str, choice: MethodChoice
 ) -> None:
     scene, impulses = CASES[case]
-    done = stepped(scene, way)
-    near = 1e-2 if way.method == "rk4" else 1e-9
+    done = stepped(scene, choice)
+    near = 1e-2 if choice.method == "rk4" else 1e-9
     for name, impulse in impulses.items():
         assert done.run.ledger.impulses.get(name, 0.0) == pytest.approx(impulse, abs=near), name
     assert abs(done.lost_momentum) < 1e-9
@@ -110,8 +110,8 @@ HIT = {
 
 
 @pytest.mark.parametrize("law", ["instant", "bumper"])
-@pytest.mark.parametrize("way", WAYS, ids=lambda way: way.method)
-def test_a_cart_that_sticks_to_a_wall_hands_on_what_hits_it(way: MethodChoice, law: str) -> None:
+@pytest.mark.parametrize("choice", CHOICES, ids=lambda choice: choice.method)
+def test_a_cart_that_sticks_to_a_wall_hands_on_what_hits_it(choice: MethodChoice, law: str) -> None:
     """A comes back from B, which the wall holds: it gave −2 − 2 N s, and −F Δt for the push."""
     contact = {"law": law, "restitution": 1} | ({"stiffness": 500} if law == "bumper" else {})
     scene = read_scene(
@@ -123,7 +123,7 @@ def test_a_cart_that_sticks_to_a_wall_hands_on_what_hits_it(way: MethodChoice, l
             "until": 1,
         }
     )
-    true, done = run(scene).ledger, stepped(scene, way)
+    true, done = run(scene).ledger, stepped(scene, choice)
     assert true.impulses == pytest.approx({"push": 0.5, "walls": -4.5}, abs=1e-12)
     assert done.run.v == pytest.approx((-1, 0), abs=1e-2)
     assert done.run.ledger.impulses["walls"] == pytest.approx(-4.5, abs=1e-2)

@@ -211,12 +211,12 @@ METHODS = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("way", "near"), METHODS, ids=lambda w: getattr(w, "method", ""))
+@pytest.mark.parametrize(("choice", "near"), METHODS, ids=lambda w: getattr(w, "method", ""))
 @pytest.mark.parametrize(
     "name", ["moving", "a third one touches", "two springs", "the wall is reached"]
 )
 def test_every_stepping_method_comes_to_the_same_end(
-    way: MethodChoice, near: float, name: str
+    choice: MethodChoice, near: float, name: str
 ) -> None:
     plain = plain_of(ROWS[name], 0.6)
     plain["effects"] = [
@@ -224,7 +224,7 @@ def test_every_stepping_method_comes_to_the_same_end(
         for entry in plain["effects"]
     ]
     exact = done(plain)
-    steps = stepped(exact.scene, way)
+    steps = stepped(exact.scene, choice)
     assert list(steps.run.x) == pytest.approx(list(exact.x), abs=near)
     assert list(steps.run.v) == pytest.approx(list(exact.v), abs=20 * near)
     assert abs(steps.lost_energy) < 20 * near

@@ -33,8 +33,8 @@ def two(law: str = "paper", e: str = "0.8", **more: object) -> Scene:
     return read_scene(registry.two_carts(law=law, restitution=e, **more))
 
 
-def error(scene: Scene, way: MethodChoice) -> float:
-    done = outcome(scene, way)
+def error(scene: Scene, choice: MethodChoice) -> float:
+    done = outcome(scene, choice)
     return max(abs(a - b) for a, b in zip(done.v, run(scene).v, strict=True))
 
 
@@ -60,10 +60,13 @@ def test_located_touches_give_rk4_its_order_back() -> None:
     scene, parts = two(), [499, 997, 1993, 3989]
     errors = [
         max(
-            max(abs(a - b) for a, b in zip(outcome(scene, way, phase).v, (-0.8, 0.4), strict=True))
+            max(
+                abs(a - b)
+                for a, b in zip(outcome(scene, choice, phase).v, (-0.8, 0.4), strict=True)
+            )
             for phase in (0.2, 1.0)
         )
-        for way in (MethodChoice("rk4-events", step=1 / n) for n in parts)
+        for choice in (MethodChoice("rk4-events", step=1 / n) for n in parts)
     ]
     assert abs(slope(parts, errors) - 4) < 0.2
 
@@ -119,8 +122,8 @@ def test_located_steps_come_to_what_the_exact_solver_says(name: str) -> None:
         MethodChoice("rk45", rtol=1e-9),
         ALL[-1],
     )
-    for way, near in zip(located, (2e-4, 2e-6, 5e-7), strict=True):
-        done = outcome(scene, way)
+    for choice, near in zip(located, (2e-4, 2e-6, 5e-7), strict=True):
+        done = outcome(scene, choice)
         x = [cart.position + s for cart, s in zip(scene.carts, done.s, strict=True)]
         assert x == pytest.approx(true.x, abs=near)
         assert done.v == pytest.approx(true.v, abs=near)
@@ -139,10 +142,10 @@ PUSHED_TOGETHER = {
 """B comes to the wall, and A pushes both against it."""
 
 
-@pytest.mark.parametrize("way", ALL[-3:], ids=lambda way: way.method)
-def test_a_bumper_that_is_held_pressed_in_takes_few_events(way: MethodChoice) -> None:
+@pytest.mark.parametrize("choice", ALL[-3:], ids=lambda choice: choice.method)
+def test_a_bumper_that_is_held_pressed_in_takes_few_events(choice: MethodChoice) -> None:
     scene = read_scene(PUSHED_TOGETHER)
-    done = stepped(scene, way)
+    done = stepped(scene, choice)
     assert done.evaluations < 13_000  # 4 per step and some more; it was half a million
     assert done.run.v == pytest.approx((0, 0), abs=1e-9)
     assert done.run.x == pytest.approx(run(scene).x, abs=2e-6)
@@ -163,10 +166,10 @@ def test_a_bumper_that_is_held_lets_go_when_the_push_ends_or_turns() -> None:
     assert not done.field.held
 
 
-@pytest.mark.parametrize("way", ALL, ids=lambda way: way.method)
+@pytest.mark.parametrize("choice", ALL, ids=lambda choice: choice.method)
 @pytest.mark.parametrize("name", ["paper-two-carts", "incline-bounce", "spring-damped"])
-def test_momentum_is_accounted_for_whatever_the_method(name: str, way: MethodChoice) -> None:
-    done = stepped(registry.scene(name), way)
+def test_momentum_is_accounted_for_whatever_the_method(name: str, choice: MethodChoice) -> None:
+    done = stepped(registry.scene(name), choice)
     assert abs(done.lost_momentum) < 1e-12
 
 
@@ -183,10 +186,10 @@ def test_energy_out_of_nothing_is_said_and_grows_with_the_step() -> None:
 @pytest.mark.parametrize("law", ["bumper", "paper", "push-only", "push-only-uncorrected", "hertz"])
 @pytest.mark.parametrize("method", list(FIXED))
 def test_a_batch_is_its_runs(law: str, method: str) -> None:
-    scene, way = two(law, stiffness=5000), MethodChoice(method, step=1 / 211)
-    s, v, _ = batch(scene, way, PHASES)
+    scene, choice = two(law, stiffness=5000), MethodChoice(method, step=1 / 211)
+    s, v, _ = batch(scene, choice, PHASES)
     for k in (0, 40):
-        one = outcome(scene, way, float(PHASES[k]))
+        one = outcome(scene, choice, float(PHASES[k]))
         assert one.v == pytest.approx([lane[k] for lane in v], abs=1e-12)
         assert one.s == pytest.approx([lane[k] for lane in s], abs=1e-12)
 

@@ -32,9 +32,9 @@ def runs(count: int) -> str:
     return counted("1 run", "{n} runs", n=count)
 
 
-def in_order(name: str) -> str:
-    """What names are sorted by: FOX-2 before FOX-10, as cards are handed out."""
-    return re.sub("[0-9]+", lambda digits: digits[0].zfill(9), name.upper())
+def in_order(name: str) -> tuple[str, str]:
+    """What names are sorted by: FOX-2 before FOX-10, as cards are handed out; FOX-02 is another."""
+    return re.sub("[0-9]+", lambda digits: digits[0].zfill(9), name.upper()), name
 
 
 def numbers(found: Iterable[int]) -> str:

@@ -51,7 +51,7 @@ def pair_up(
     of, of_later = worth(earlier, items), worth(later, others)
     if not items or of != of_later:
         return None
-    both = sorted(first.keys() & second.keys())
+    both = sorted(first.keys() & second.keys(), key=in_order)
     return Pairs(
         group=group,
         students=tuple(first[name].who for name in both),

@@ -144,7 +144,7 @@ def _form(
         "students": [
             _student(file, counted, has_key=key is not None)
             for file in sorted(
-                files, key=lambda f: (asked.groups.index(f.group), in_order(f.student), f.student)
+                files, key=lambda f: (asked.groups.index(f.group), in_order(f.student))
             )
         ],
         "items": items,

@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 from sim.classroom.report.flags.flag import Flag
+from sim.classroom.report.numerals import in_order
 from sim.classroom.statistics.spread import Exact
 from sim.classroom.summary.document import Read, document
 from sim.classroom.summary.form_rows import plain
@@ -102,7 +103,7 @@ def _who(found: Judged) -> Who:
             }
             for row in sorted(
                 (row for row in found.taken if row.form == form),
-                key=lambda row: (found.groups.index(row.group), row.person),
+                key=lambda row: (found.groups.index(row.group), in_order(row.person)),
             )
         ]
         for form in lesson.forms
@@ -116,11 +117,15 @@ def _lists(found: Judged, group: str) -> dict[str, list[Any]]:
         {row.person: row for row in found.taken if row.form == form and row.group == group}
         for form in ("pre", "post")
     )
-    both = sorted(before.keys() & after.keys())
+    both = sorted(before.keys() & after.keys(), key=in_order)
     return {
         "students": [before[name].who for name in both],
         "before": [float(before[name].marks) for name in both],
         "after": [float(after[name].marks) for name in both],
-        "without_before": [after[n].who for n in sorted(after.keys() - before.keys())],
-        "without_after": [before[n].who for n in sorted(before.keys() - after.keys())],
+        "without_before": [
+            after[n].who for n in sorted(after.keys() - before.keys(), key=in_order)
+        ],
+        "without_after": [
+            before[n].who for n in sorted(before.keys() - after.keys(), key=in_order)
+        ],
     }

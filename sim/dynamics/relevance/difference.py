@@ -38,10 +38,11 @@ Speeds = dict[tuple[str, tuple[str, ...], int], tuple[float, dict[str, float]]]
 
 @dataclass(frozen=True, slots=True)
 class Seen:
-    """What is looked at of one run up to `times[-1]`, and the heights of its two graphs [m], [m/s].
+    """What is looked at of one run, and the heights of its two graphs [m], [m/s].
 
-    `places` [m] are those at `times` [s], `v` [m/s] the velocities at the last of them, `met` what
-    has happened to each cart by then.
+    `after` are contacts of all of the run, the rest is up to `times[-1]`: `places` [m] are those at
+    `times` [s], `v` [m/s] the velocities at the last of them, `met` what has happened to each cart
+    by then.
     """
 
     names: tuple[str, ...]

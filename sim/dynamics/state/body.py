@@ -182,7 +182,7 @@ class Body:
     changed: Time = NEVER  # when it last began or ceased to slide
     flips: int = 0  # how often at that instant (`flips`)
     alternates: int = 0  # how many of them count for the margin
-    alternates_before: int = 0  # as it was before this instant: an impact restores it
+    alternates_before: int = 0  # the same with the first change at this instant counted
     turn: int = 0  # counts predictions, as those of gaps
     still: Still | None = None  # at rest under forces
 
@@ -214,7 +214,7 @@ class Gap:
     changed: Time = NEVER  # when its mode changed last
     flips: int = 0  # how often at that instant (`flips`)
     alternates: int = 0  # how many of them count for the margin
-    alternates_before: int = 0  # as it was before this instant: an impact restores it
+    alternates_before: int = 0  # the same with the first change at this instant counted
     clear_at: Time | None = None  # when its overlap will have cleared, if that is known
     _figures: tuple[float, IsolatedContact] | None = field(default=None)
 

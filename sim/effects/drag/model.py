@@ -16,7 +16,7 @@ def _rows(effect: Effect, scene: Scene) -> list[Row]:
 
 
 def _shortest(effect: Effect, scene: Scene) -> float:
-    """In which the lightest cart would lose the speed of the fastest one."""
+    """In which the lightest cart would lose the speed that the fastest one has at the start."""
     n, carts = effect.numbers, [scene.carts[i] for i in carts_of(effect, scene)]
     fastest = max(abs(cart.velocity) for cart in scene.carts)
     held = n["linear"] + n["quadratic"] * fastest

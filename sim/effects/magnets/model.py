@@ -20,7 +20,7 @@ def _rows(effect: Effect, scene: Scene) -> list[Row]:
 
 
 def _shortest(effect: Effect, scene: Scene) -> float:
-    """A quarter swing, 1/w² = mu r^(n+1) / (n C), where the fastest two would turn round."""
+    """A quarter swing, 1/w² = mu r^(n+1) / (n C), where the fastest two of the start turn round."""
     n, strength = effect.numbers["power"], effect.numbers["strength"]
     bodies = [scene.carts[i] for i in pair_of(effect, scene) if i is not None]
     mu = 1.0 / math.fsum(1.0 / body.mass for body in bodies)

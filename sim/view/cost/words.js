@@ -14,7 +14,7 @@ import { METHODS } from "./methods.js";
  */
 
 const [MANY, HUGE] = [1000, 10_000];
-const FEW = 10; // times the energy of the start, where a push or magnets bring in more
+export const FEW = 10; // times the energy of the start, where a push or magnets bring in more
 /** What is shown first. */
 export const FIRST = { method: "euler", parts: 103 };
 const ENDLESS = tr("beyond all numbers");

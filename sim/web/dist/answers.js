@@ -1712,7 +1712,7 @@
       const answered2 = book2.entries().some(([key]) => key.startsWith(`${book2.page}#`));
       const worked = answered2 || document.querySelector("[data-watched], [data-printing]");
       if (chosen || worked || !outline()) return;
-      const how = tr("To print all questions: “My answers”, “Print empty”.");
+      const how = tr("To print the questions that wait, too: “My answers”, “Print empty”.");
       addEventListener("afterprint", emptied([EMPTY], `${how} `), { once: true });
     });
   }
@@ -1842,13 +1842,17 @@
   var OPEN = "carts-teach";
   var teachersWord = () => document.querySelector('meta[name="carts-teacher"]')?.getAttribute("content") ?? "";
   var draftMark = () => `carts-draft ${place().page}`;
+  function tellDraft(link) {
+    link.dataset.words ??= link.textContent ?? "";
+    const kept = recall(draftMark(), BROWSER) ? " (your draft is kept)" : "";
+    link.textContent = link.dataset.words + kept;
+  }
   function teacherDoor() {
     const link = document.querySelector(".carts-teach-door a");
     if (!(link instanceof HTMLAnchorElement)) return;
     const lesson = new URL(link.dataset.lesson ?? "", document.baseURI);
     const beside = (name) => new URL(`../${name}${lesson.search}`, lesson).href;
-    if (recall(draftMark(), BROWSER)) link.append(" (your draft is kept)");
-    const words3 = link.textContent;
+    tellDraft(link);
     let loaded = null;
     const open2 = async () => {
       if (!await letIn()) return;
@@ -1859,7 +1863,7 @@
       link.textContent = tr("Opening …");
       try {
         await loaded;
-        link.textContent = words3;
+        tellDraft(link);
         document.dispatchEvent(new Event(OPEN));
       } catch {
         loaded = null;

@@ -1024,6 +1024,10 @@
   var [LOWEST, TALLEST] = [16, 58];
   var ENERGY = { left: 60, top: 10, right: 388, bottom: 160 };
   var MOST = 3;
+  function measureOf(exact) {
+    const [start, most] = [Number(exact[0]), Math.max(...exact)];
+    return FEW * start > most ? { whole: start, unit: "%", ticked: 100 } : { whole: most || 1, unit: "J", ticked: most || 1 };
+  }
   var CostStage = class {
     constructor(root) {
       this.stage = need(root, ".carts-cost-stage");
@@ -1093,19 +1097,23 @@
     }
     #plot(stepped, exact) {
       const { until } = this.header;
-      const start = exact[0] || 1;
+      const { whole, unit, ticked } = measureOf(exact);
       const { left: left2, top, right, bottom } = ENERGY;
-      const finite = stepped.map((value) => Number.isFinite(value) ? value / start : MOST);
-      const high = Math.min(MOST, Math.max(1, ...finite, ...exact.map((value) => value / start)));
-      const scale = axis(0, 100 * high, 4);
-      const y2 = (part) => bottom - 100 * Math.min(part, high) / scale.high * (bottom - top);
+      const finite = stepped.map((value) => Number.isFinite(value) ? value / whole : MOST);
+      const high = Math.min(MOST, Math.max(1, ...finite, ...exact.map((value) => value / whole)));
+      const scale = axis(0, ticked * high, 4);
+      const y2 = (part) => bottom - ticked * Math.min(part, high) / scale.high * (bottom - top);
       const x2 = (t3) => left2 + t3 / until * (right - left2);
       const path3 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x2(Number(this.t?.[k])))} ${px(y2(value))}`).join("");
       const parts2 = ticks2(scale).filter((tick) => tick >= 0).flatMap((tick) => {
-        const label = svg("text", { class: "carts-tick-y", x: left2 - 6, y: px(y2(tick / 100) + 4) });
-        label.textContent = `${short(tick)} %`;
+        const label = svg("text", {
+          class: "carts-tick-y",
+          x: left2 - 6,
+          y: px(y2(tick / ticked) + 4)
+        });
+        label.textContent = `${short(tick)} ${unit}`;
         return [
-          svg("path", { class: "carts-grid", d: `M${left2} ${px(y2(tick / 100))}H${right}` }),
+          svg("path", { class: "carts-grid", d: `M${left2} ${px(y2(tick / ticked))}H${right}` }),
           label
         ];
       });
@@ -1120,7 +1128,7 @@
         last,
         svg("path", {
           class: "carts-cost-line carts-cost-true",
-          d: path3(exact.map((e2) => e2 / start))
+          d: path3(exact.map((e2) => e2 / whole))
         }),
         svg("path", { class: "carts-cost-line carts-cost-made", d: path3(finite) }),
         this.cursor
@@ -5942,7 +5950,7 @@
   }
   function made({ made: joules2, initial }) {
     if (joules2 === null) return BEYOND;
-    if (!initial) return `${short(joules2, 2)} J`;
+    if (!(initial > 0)) return `${short(joules2, 2)} J`;
     const part = joules2 / initial;
     const size = {
       energy: `${short(joules2, 2)} J`,
@@ -6357,7 +6365,6 @@
       if (following) void project(following, true);
     });
     for (const option2 of scene.querySelectorAll(".carts-options label")) count(scene, option2);
-    button.setAttribute("aria-pressed", String(isOn(scene)));
     if (listening.has(scene)) return;
     listening.add(scene);
     scene.addEventListener("keydown", (event) => {
@@ -6398,7 +6405,6 @@
     scene.classList.toggle(PROJECTED, on);
     document.documentElement.classList.toggle("carts-projecting", shown2().length > 0);
     const button = scene.querySelector(".carts-project");
-    button?.setAttribute("aria-pressed", String(on));
     if (button) say(button, on ? tr("Leave projector (Esc)") : tr("projector"));
   }
   function count(scene, option2) {

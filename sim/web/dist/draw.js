@@ -13223,6 +13223,10 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   var [LOWEST, TALLEST2] = [16, 58];
   var ENERGY = { left: 60, top: 10, right: 388, bottom: 160 };
   var MOST = 3;
+  function measureOf(exact) {
+    const [start, most] = [Number(exact[0]), Math.max(...exact)];
+    return FEW * start > most ? { whole: start, unit: "%", ticked: 100 } : { whole: most || 1, unit: "J", ticked: most || 1 };
+  }
   var CostStage = class {
     constructor(root) {
       this.stage = need(root, ".carts-cost-stage");
@@ -13292,19 +13296,23 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }
     #plot(stepped, exact) {
       const { until } = this.header;
-      const start = exact[0] || 1;
+      const { whole, unit, ticked } = measureOf(exact);
       const { left, top, right, bottom } = ENERGY;
-      const finite = stepped.map((value) => Number.isFinite(value) ? value / start : MOST);
-      const high = Math.min(MOST, Math.max(1, ...finite, ...exact.map((value) => value / start)));
-      const scale = axis(0, 100 * high, 4);
-      const y = (part) => bottom - 100 * Math.min(part, high) / scale.high * (bottom - top);
+      const finite = stepped.map((value) => Number.isFinite(value) ? value / whole : MOST);
+      const high = Math.min(MOST, Math.max(1, ...finite, ...exact.map((value) => value / whole)));
+      const scale = axis(0, ticked * high, 4);
+      const y = (part) => bottom - ticked * Math.min(part, high) / scale.high * (bottom - top);
       const x = (t) => left + t / until * (right - left);
       const path3 = (values) => values.map((value, k) => `${k ? "L" : "M"}${px(x(Number(this.t?.[k])))} ${px(y(value))}`).join("");
       const parts2 = ticks2(scale).filter((tick) => tick >= 0).flatMap((tick) => {
-        const label = svg("text", { class: "carts-tick-y", x: left - 6, y: px(y(tick / 100) + 4) });
-        label.textContent = `${short(tick)} %`;
+        const label = svg("text", {
+          class: "carts-tick-y",
+          x: left - 6,
+          y: px(y(tick / ticked) + 4)
+        });
+        label.textContent = `${short(tick)} ${unit}`;
         return [
-          svg("path", { class: "carts-grid", d: `M${left} ${px(y(tick / 100))}H${right}` }),
+          svg("path", { class: "carts-grid", d: `M${left} ${px(y(tick / ticked))}H${right}` }),
           label
         ];
       });
@@ -13319,7 +13327,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         last,
         svg("path", {
           class: "carts-cost-line carts-cost-true",
-          d: path3(exact.map((e) => e / start))
+          d: path3(exact.map((e) => e / whole))
         }),
         svg("path", { class: "carts-cost-line carts-cost-made", d: path3(finite) }),
         this.cursor

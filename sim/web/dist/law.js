@@ -3707,7 +3707,9 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       async #run() {
         void this.#keep(this.editor?.text ?? "", true);
         this.#say(tr("Computing …"));
-        const unequal = await this.#draw(this.#scene());
+        const scene = this.#scene();
+        const unequal = await this.#draw(scene);
+        if (this.#otherThan(scene)) return this.#changed();
         if (unequal) this.#say(tr("The two carts do not push each other equally hard."));
         else this.#say(tr("Done: the new run is below."));
       }
@@ -3724,11 +3726,14 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.found?.replaceChildren();
         const [scene, { file }] = [this.#scene(), this.#facts];
         const judged = await this.#python.judge({ law: file, scene }, (text) => this.#say(text));
-        const meanwhile = () => this.#scene().laws[file] !== scene.laws[file];
-        if (meanwhile()) return this.#changed();
+        if (this.#otherThan(scene)) return this.#changed();
         this.found?.append(verdicts(judged, (one) => this.#do(() => this.#example(one))));
         if (this.#drawn !== scene.laws[file]) await this.#draw(scene);
-        if (!meanwhile()) this.#say(tr("Judged: what was found is below."));
+        if (!this.#otherThan(scene)) this.#say(tr("Judged: what was found is below."));
+      }
+      #otherThan(scene) {
+        const { file } = this.#facts;
+        return this.#scene().laws[file] !== scene.laws[file];
       }
       async #example(verdict) {
         const { header, numbers } = await this.#python.ask({ do: "run", scene: verdict.scene });

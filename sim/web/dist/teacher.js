@@ -1140,6 +1140,11 @@
   // src/teach/door.js
   var OPEN = "carts-teach";
   var draftMark = () => `carts-draft ${place().page}`;
+  function tellDraft(link) {
+    link.dataset.words ??= link.textContent ?? "";
+    const kept = recall(draftMark(), BROWSER) ? " (your draft is kept)" : "";
+    link.textContent = link.dataset.words + kept;
+  }
 
   // src/teach/drafts.js
   var Drafts = class {
@@ -1198,11 +1203,9 @@
       });
     }
     async forget(key = this.key) {
-      if (key === this.key) {
-        this.kept = null;
-        recallOnce(draftMark(), BROWSER);
-      }
+      if (key === this.key) this.kept = null;
       await (await this.store).remove(key);
+      if (this.own === null && !(await this.#all()).length) recallOnce(draftMark(), BROWSER);
     }
   };
   function sumOf(text2) {
@@ -1280,6 +1283,7 @@
     address.searchParams.delete("teacher");
     if (address.hash === "#teacher") address.hash = "";
     history.replaceState(null, "", address.href.replace(/#$/, ""));
+    tellDraft(session2.link);
     session2.link.focus({ preventScroll: true });
     if (!session2.changed) return;
     const line = draftLine(session2);

@@ -238,3 +238,11 @@ def test_headings_tell_the_most_marks_and_the_test() -> None:
 def test_a_row_without_a_name_is_nobodys_however_that_is_written(nobody: str) -> None:
     plain = csv(["Student", "Form", "q1", "q2"], [[nobody, "pre", "1", "0"], ["FOX", "pre", 1, 1]])
     assert [row[0] for row in rows(plain)] == ["", "FOX"]
+
+
+def test_pairs_stand_in_the_order_of_their_cards() -> None:
+    """2 before 10; 02 is a name of its own, and stands where it stood the last time."""
+    names = ["FOX-10", "FOX-2", "FOX-1", "FOX-02"]
+    rows = [(name, 3 + k, 6 + k) for k, name in enumerate(names)]
+    (gain,) = reported(csv(("student", "pre", "post"), rows))["lessons"][0]["gains"]
+    assert gain["students"] == ["FOX-1", "FOX-02", "FOX-2", "FOX-10"]

@@ -30,7 +30,7 @@ export function emptyWhereUntouched(book) {
     const answered = book.entries().some(([key]) => key.startsWith(`${book.page}#`));
     const worked = answered || document.querySelector("[data-watched], [data-printing]");
     if (chosen || worked || !outline()) return;
-    const how = tr("To print all questions: “My answers”, “Print empty”.");
+    const how = tr("To print the questions that wait, too: “My answers”, “Print empty”.");
     addEventListener("afterprint", emptied([EMPTY], `${how} `), { once: true });
   });
 }

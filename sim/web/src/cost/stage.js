@@ -1,5 +1,6 @@
 /** The carts run twice: as stepped, and exactly as a dashed outline; below, the energy of motion. */
 
+import { FEW } from "../../../view/cost/words.js";
 import { px, short } from "../../../view/numbers.js";
 import { axis, ticks } from "../../../view/scales.js";
 import { need, put, svg } from "../shared/dom.js";
@@ -9,7 +10,18 @@ import { need, put, svg } from "../shared/dom.js";
 const [WIDTH, FLOOR_Y, SIDE] = [640, 84, 20];
 const [LOWEST, TALLEST] = [16, 58]; // drawing units; in between heights follow the masses
 const ENERGY = { left: 60, top: 10, right: 388, bottom: 160 };
-const MOST = 3; // times the energy at the start; what is above is cut off
+const MOST = 3; // times the energy at the start, or the greatest of the exact run; what is above is cut off
+
+/**
+ * What energies are told in: per cent of that at the start, or joules where a push brings in nearly all of it.
+ * @param {number[]} exact J
+ */
+export function measureOf(exact) {
+  const [start, most] = [Number(exact[0]), Math.max(...exact)];
+  return FEW * start > most
+    ? { whole: start, unit: "%", ticked: 100 }
+    : { whole: most || 1, unit: "J", ticked: most || 1 };
+}
 
 export class CostStage {
   /** @param {HTMLElement} root */
@@ -93,13 +105,13 @@ export class CostStage {
   /** @param {number[]} stepped @param {number[]} exact J */
   #plot(stepped, exact) {
     const { until } = /** @type {CostHeader} */ (this.header);
-    const start = exact[0] || 1;
+    const { whole, unit, ticked } = measureOf(exact);
     const { left, top, right, bottom } = ENERGY;
-    const finite = stepped.map((value) => (Number.isFinite(value) ? value / start : MOST));
-    const high = Math.min(MOST, Math.max(1, ...finite, ...exact.map((value) => value / start)));
-    const scale = axis(0, 100 * high, 4);
+    const finite = stepped.map((value) => (Number.isFinite(value) ? value / whole : MOST));
+    const high = Math.min(MOST, Math.max(1, ...finite, ...exact.map((value) => value / whole)));
+    const scale = axis(0, ticked * high, 4);
     const y = (/** @type {number} */ part) =>
-      bottom - ((100 * Math.min(part, high)) / scale.high) * (bottom - top);
+      bottom - ((ticked * Math.min(part, high)) / scale.high) * (bottom - top);
     const x = (/** @type {number} */ t) => left + (t / until) * (right - left);
     const path = (/** @type {number[]} */ values) =>
       values
@@ -108,10 +120,14 @@ export class CostStage {
     const parts = ticks(scale)
       .filter((tick) => tick >= 0)
       .flatMap((tick) => {
-        const label = svg("text", { class: "carts-tick-y", x: left - 6, y: px(y(tick / 100) + 4) });
-        label.textContent = `${short(tick)} %`;
+        const label = svg("text", {
+          class: "carts-tick-y",
+          x: left - 6,
+          y: px(y(tick / ticked) + 4),
+        });
+        label.textContent = `${short(tick)} ${unit}`;
         return [
-          svg("path", { class: "carts-grid", d: `M${left} ${px(y(tick / 100))}H${right}` }),
+          svg("path", { class: "carts-grid", d: `M${left} ${px(y(tick / ticked))}H${right}` }),
           label,
         ];
       });
@@ -126,7 +142,7 @@ export class CostStage {
       last,
       svg("path", {
         class: "carts-cost-line carts-cost-true",
-        d: path(exact.map((e) => e / start)),
+        d: path(exact.map((e) => e / whole)),
       }),
       svg("path", { class: "carts-cost-line carts-cost-made", d: path(finite) }),
       this.cursor,

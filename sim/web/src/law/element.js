@@ -167,7 +167,9 @@ export function lawElement(base) {
     async #run() {
       void this.#keep(this.editor?.text ?? "", true);
       this.#say(tr("Computing …"));
-      const unequal = await this.#draw(this.#scene());
+      const scene = this.#scene();
+      const unequal = await this.#draw(scene);
+      if (this.#otherThan(scene)) return this.#changed();
       if (unequal) this.#say(tr("The two carts do not push each other equally hard."));
       else this.#say(tr("Done: the new run is below."));
     }
@@ -187,11 +189,16 @@ export function lawElement(base) {
       this.found?.replaceChildren();
       const [scene, { file }] = [this.#scene(), /** @type {Facts} */ (this.#facts)];
       const judged = await this.#python.judge({ law: file, scene }, (text) => this.#say(text));
-      const meanwhile = () => this.#scene().laws[file] !== scene.laws[file];
-      if (meanwhile()) return this.#changed();
+      if (this.#otherThan(scene)) return this.#changed();
       this.found?.append(verdicts(judged, (one) => this.#do(() => this.#example(one))));
       if (this.#drawn !== scene.laws[file]) await this.#draw(scene); // the picture is of what was judged
-      if (!meanwhile()) this.#say(tr("Judged: what was found is below."));
+      if (!this.#otherThan(scene)) this.#say(tr("Judged: what was found is below."));
+    }
+
+    /** Whether the law in the box has changed meanwhile. @param {any} scene as it was computed */
+    #otherThan(scene) {
+      const { file } = /** @type {Facts} */ (this.#facts);
+      return this.#scene().laws[file] !== scene.laws[file];
     }
 
     /** The worst scene of one law of physics. @param {import("./verdicts.js").Verdict} verdict */

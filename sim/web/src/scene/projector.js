@@ -33,7 +33,6 @@ export function offerProjector(scene) {
     if (following) void project(following, true);
   });
   for (const option of scene.querySelectorAll(".carts-options label")) count(scene, option);
-  button.setAttribute("aria-pressed", String(isOn(scene)));
   if (listening.has(scene)) return;
   listening.add(scene);
   scene.addEventListener("keydown", (event) => {
@@ -83,7 +82,6 @@ function mark(scene, on) {
   scene.classList.toggle(PROJECTED, on);
   document.documentElement.classList.toggle("carts-projecting", shown().length > 0);
   const button = scene.querySelector(".carts-project");
-  button?.setAttribute("aria-pressed", String(on));
   if (button) say(button, on ? tr("Leave projector (Esc)") : tr("projector"));
 }
 

@@ -2,6 +2,7 @@
 
 import { button } from "../answers/parts.js";
 import { html } from "../shared/dom.js";
+import { tellDraft } from "./door.js";
 
 const TEACHING = "carts-teaching"; // of the body
 const WAITS = "carts-runs"; // under it, what waits for a run is closed: a teacher sees and changes that too
@@ -20,6 +21,7 @@ export function leave(session) {
   address.searchParams.delete("teacher");
   if (address.hash === "#teacher") address.hash = "";
   history.replaceState(null, "", address.href.replace(/#$/, ""));
+  tellDraft(session.link);
   session.link.focus({ preventScroll: true }); // it is at the foot
   if (!session.changed) return;
   const line = draftLine(session);

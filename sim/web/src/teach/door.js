@@ -18,14 +18,20 @@ export const teachersWord = () =>
 /** Under this name the browser remembers that it keeps a draft of this lesson. */
 export const draftMark = () => `carts-draft ${place().page}`;
 
+/** What the link says: also whether a draft is kept. @param {HTMLElement} link */
+export function tellDraft(link) {
+  link.dataset.words ??= link.textContent ?? "";
+  const kept = recall(draftMark(), BROWSER) ? " (your draft is kept)" : "";
+  link.textContent = link.dataset.words + kept;
+}
+
 /** Listens for a teacher. */
 export function teacherDoor() {
   const link = document.querySelector(".carts-teach-door a");
   if (!(link instanceof HTMLAnchorElement)) return;
   const lesson = new URL(link.dataset.lesson ?? "", document.baseURI);
   const beside = (/** @type {string} */ name) => new URL(`../${name}${lesson.search}`, lesson).href;
-  if (recall(draftMark(), BROWSER)) link.append(" (your draft is kept)");
-  const words = link.textContent;
+  tellDraft(link);
   /** @type {Promise<unknown> | null} */
   let loaded = null;
   const open = async () => {
@@ -37,7 +43,7 @@ export function teacherDoor() {
     link.textContent = tr("Opening …"); // a slow computer takes seconds
     try {
       await loaded;
-      link.textContent = words;
+      tellDraft(link);
       document.dispatchEvent(new Event(OPEN));
     } catch {
       loaded = null;

@@ -97,11 +97,9 @@ export class Drafts {
   }
 
   async forget(key = this.key) {
-    if (key === this.key) {
-      this.kept = null;
-      recallOnce(draftMark(), BROWSER);
-    }
+    if (key === this.key) this.kept = null;
     await (await this.store).remove(key);
+    if (this.own === null && !(await this.#all()).length) recallOnce(draftMark(), BROWSER);
   }
 }
 

@@ -148,7 +148,7 @@ function amount(value, unit) {
 /** @param {Compared["energy"]} energy */
 function made({ made: joules, initial }) {
   if (joules === null) return BEYOND;
-  if (!initial) return `${short(joules, 2)} J`;
+  if (!(initial > 0)) return `${short(joules, 2)} J`;
   const part = joules / initial;
   const size = {
     energy: `${short(joules, 2)} J`,
