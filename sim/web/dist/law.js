@@ -3610,12 +3610,14 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       // ends what the element hears of other tabs
       connectedCallback() {
         this.#leaving = new AbortController();
-        if (this.#facts) return this.#hear();
+        if (!this.#facts) this.#begin();
+        this.keeper?.hear((text) => this.#take(text), this.#leaving.signal);
+      }
+      #begin() {
         const facts = JSON.parse(need(this, ".carts-law-baked").textContent ?? "");
         this.#facts = facts;
         this.#baked = bakedOf(facts.baked);
         this.keeper = lawKeeper(facts);
-        this.#hear();
         this.editor = new Editor(facts.id, (text) => this.#typed(text));
         this.editor.text = facts.start;
         this.note = html("p", "carts-law-note");
@@ -3638,9 +3640,6 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.#leaving.abort();
         this.#pictures?.leave();
         this.#python.stop();
-      }
-      #hear() {
-        this.keeper?.hear((text) => this.#take(text), this.#leaving.signal);
       }
       async #restore() {
         this.#take(await this.keeper?.get() || String(this.#facts?.start));
@@ -3690,8 +3689,7 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.editor.box.focus();
       }
       #save() {
-        if (!this.editor || !this.#facts) return;
-        download(this.#facts.file, this.editor.text, "text/x-python");
+        if (this.editor && this.#facts) download(this.#facts.file, this.editor.text, "text/x-python");
       }
       #do(act) {
         this.#turn += 1;
@@ -3707,9 +3705,9 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
       async #run() {
         void this.#keep(this.editor?.text ?? "", true);
         this.#say(tr("Computing …"));
-        const scene = this.#scene();
-        const unequal = await this.#draw(scene);
-        if (this.#otherThan(scene)) return this.#changed();
+        const text = this.editor?.text;
+        const unequal = await this.#draw(this.#scene());
+        if (this.editor?.text !== text) return this.#changed();
         if (unequal) this.#say(tr("The two carts do not push each other equally hard."));
         else this.#say(tr("Done: the new run is below."));
       }
@@ -3726,14 +3724,11 @@ ${indent}${more}`, selectionStart, this.box.selectionEnd, "end");
         this.found?.replaceChildren();
         const [scene, { file }] = [this.#scene(), this.#facts];
         const judged = await this.#python.judge({ law: file, scene }, (text) => this.#say(text));
-        if (this.#otherThan(scene)) return this.#changed();
+        const meanwhile = () => this.#scene().laws[file] !== scene.laws[file];
+        if (meanwhile()) return this.#changed();
         this.found?.append(verdicts(judged, (one) => this.#do(() => this.#example(one))));
         if (this.#drawn !== scene.laws[file]) await this.#draw(scene);
-        if (!this.#otherThan(scene)) this.#say(tr("Judged: what was found is below."));
-      }
-      #otherThan(scene) {
-        const { file } = this.#facts;
-        return this.#scene().laws[file] !== scene.laws[file];
+        if (!meanwhile()) this.#say(tr("Judged: what was found is below."));
       }
       async #example(verdict) {
         const { header, numbers } = await this.#python.ask({ do: "run", scene: verdict.scene });

@@ -48,13 +48,16 @@ export function lawElement(base) {
 
     connectedCallback() {
       this.#leaving = new AbortController();
-      if (this.#facts) return this.#hear();
+      if (!this.#facts) this.#begin();
+      this.keeper?.hear((text) => this.#take(text), this.#leaving.signal);
+    }
+
+    #begin() {
       /** @type {Facts} */
       const facts = JSON.parse(need(this, ".carts-law-baked").textContent ?? "");
       this.#facts = facts;
       this.#baked = bakedOf(facts.baked);
       this.keeper = lawKeeper(facts);
-      this.#hear();
       this.editor = new Editor(facts.id, (text) => this.#typed(text));
       this.editor.text = facts.start;
       this.note = html("p", "carts-law-note");
@@ -78,10 +81,6 @@ export function lawElement(base) {
       this.#leaving.abort();
       this.#pictures?.leave();
       this.#python.stop();
-    }
-
-    #hear() {
-      this.keeper?.hear((text) => this.#take(text), this.#leaving.signal);
     }
 
     async #restore() {
@@ -145,8 +144,7 @@ export function lawElement(base) {
     }
 
     #save() {
-      if (!this.editor || !this.#facts) return;
-      download(this.#facts.file, this.editor.text, "text/x-python");
+      if (this.editor && this.#facts) download(this.#facts.file, this.editor.text, "text/x-python");
     }
 
     /** One thing at a time; what goes wrong is told, and the text stays. @param {() => Promise<void>} act */
@@ -167,9 +165,9 @@ export function lawElement(base) {
     async #run() {
       void this.#keep(this.editor?.text ?? "", true);
       this.#say(tr("Computing …"));
-      const scene = this.#scene();
-      const unequal = await this.#draw(scene);
-      if (this.#otherThan(scene)) return this.#changed();
+      const text = this.editor?.text;
+      const unequal = await this.#draw(this.#scene());
+      if (this.editor?.text !== text) return this.#changed();
       if (unequal) this.#say(tr("The two carts do not push each other equally hard."));
       else this.#say(tr("Done: the new run is below."));
     }
@@ -189,16 +187,11 @@ export function lawElement(base) {
       this.found?.replaceChildren();
       const [scene, { file }] = [this.#scene(), /** @type {Facts} */ (this.#facts)];
       const judged = await this.#python.judge({ law: file, scene }, (text) => this.#say(text));
-      if (this.#otherThan(scene)) return this.#changed();
+      const meanwhile = () => this.#scene().laws[file] !== scene.laws[file];
+      if (meanwhile()) return this.#changed();
       this.found?.append(verdicts(judged, (one) => this.#do(() => this.#example(one))));
       if (this.#drawn !== scene.laws[file]) await this.#draw(scene); // the picture is of what was judged
-      if (!this.#otherThan(scene)) this.#say(tr("Judged: what was found is below."));
-    }
-
-    /** Whether the law in the box has changed meanwhile. @param {any} scene as it was computed */
-    #otherThan(scene) {
-      const { file } = /** @type {Facts} */ (this.#facts);
-      return this.#scene().laws[file] !== scene.laws[file];
+      if (!meanwhile()) this.#say(tr("Judged: what was found is below."));
     }
 
     /** The worst scene of one law of physics. @param {import("./verdicts.js").Verdict} verdict */
