@@ -132,7 +132,9 @@ def test_a_lesson_that_nobody_has_worked_in_is_an_empty_sheet_by_the_browsers_wa
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     expect(root).to_have_class(re.compile("carts-print-empty"))
     head = page.locator(".carts-print-head")
-    expect(head).to_contain_text("To print the questions that wait, too: “My answers”, “Print empty”.")
+    expect(head).to_contain_text(
+        "To print the questions that wait, too: “My answers”, “Print empty”."
+    )
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     expect(head).not_to_contain_text("To print")
     expect(root).not_to_have_class(re.compile("carts-print-empty"))
