@@ -13,7 +13,7 @@ from typing import Any
 
 from sim.dynamics.loop.run import run
 from sim.dynamics.relevance.candidates import CONTACT, Candidate, candidates
-from sim.dynamics.relevance.difference import READS, Difference, difference, seen
+from sim.dynamics.relevance.difference import READS, Difference, Seen, difference, seen
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.scene.model import Scene
@@ -52,7 +52,8 @@ class EffectChange:
 def ranked_effects(scene: Scene) -> tuple[EffectChange, ...]:
     """Every effect that the program knows and the scene's contacts. Raises UnsolvedError."""
     own = _run(scene)
-    ranked = [_change_by(own, candidate) for candidate in candidates(scene)]
+    whole = seen(own, own.t)
+    ranked = [_change_by(own, whole, candidate) for candidate in candidates(scene)]
     return tuple(sorted(ranked, key=lambda r: -r.changes.relative if r.changes else 1.0))
 
 
@@ -60,7 +61,8 @@ def _run(scene: Scene) -> Run:
     return run(scene, max_events=MOST_EVENTS, max_steps=MOST_STEPS)
 
 
-def _change_by(own: Run, candidate: Candidate) -> EffectChange:
+def _change_by(own: Run, whole: Seen, candidate: Candidate) -> EffectChange:
+    """`whole`: all of the own run, which another one may have been stopped before the end of."""
     if candidate.scene is None:
         told = said("{effect}: no estimate, {why}.", effect=candidate.called, why=candidate.why)
         return EffectChange(candidate, None, told)
@@ -70,8 +72,8 @@ def _change_by(own: Run, candidate: Candidate) -> EffectChange:
         why = said("the scene cannot be run that way")
         told = said("{effect}: no estimate, {why}.", effect=candidate.called, why=why)
         return EffectChange(candidate, None, told)
-    until = min(own.t, other.t)  # one of them may have been stopped
-    changes = difference(seen(own, until), seen(other, until))
+    mine = whole if other.t >= own.t else seen(own, other.t)
+    changes = difference(mine, seen(other, mine.times[-1]))
     return EffectChange(candidate, changes, _sentence(candidate, changes))
 
 

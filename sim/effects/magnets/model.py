@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from sim.effects.magnets.force import MagnetForce
 from sim.effects.plain_model import Piece, Row
 from sim.effects.where import gap_of, pair_of
 from sim.scene.effects import Effect
@@ -20,7 +21,7 @@ def _rows(effect: Effect, scene: Scene) -> list[Row]:
 
 
 def _shortest(effect: Effect, scene: Scene) -> float:
-    """A quarter swing, 1/w² = mu r^(n+1) / (n C), where the fastest two of the start turn round."""
+    """A quarter swing, 1/w² = mu/steepest, where the fastest two of the start turn round."""
     n, strength = effect.numbers["power"], effect.numbers["strength"]
     bodies = [scene.carts[i] for i in pair_of(effect, scene) if i is not None]
     mu = 1.0 / math.fsum(1.0 / body.mass for body in bodies)
@@ -31,8 +32,8 @@ def _shortest(effect: Effect, scene: Scene) -> float:
         nearest = room * math.exp(-in_play)
     else:
         nearest = room * (1.0 + (n - 1) * in_play * room ** (n - 1)) ** (1 / (1 - n))
-    nearest = max(nearest, float(NEAREST))
-    return 0.5 * math.pi * math.sqrt(mu * nearest ** (n + 1) / (n * strength))
+    steepest, _ = MagnetForce(strength, n, 0.0).bounds(max(nearest, float(NEAREST)))
+    return 0.5 * math.pi * math.sqrt(mu / steepest)
 
 
 PIECE = Piece(

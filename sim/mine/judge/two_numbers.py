@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-FAST = 1e6
-"""m/s. Faster is told with a power of ten."""
+LARGE = 1e6
+"""m/s or m. What is larger is told with a power of ten."""
 
 USUAL = 4
 """Digits."""
@@ -29,21 +29,25 @@ def joule(energy: float, digits: int) -> str:
 
 def speed(v: float, digits: int) -> str:
     """A velocity."""
-    return f"{v:.{digits}f} m/s" if abs(v) < FAST else f"{v:.{digits}g} m/s"
+    return f"{_decimal(v, digits)} m/s"
 
 
 def place(x: float, digits: int) -> str:
     """Where a cart is; a sentence says that it ends with it."""
-    return f"x = {x:.{digits}f} m" if abs(x) < FAST else f"x = {x:.{digits}g} m"
+    return f"x = {_decimal(x, digits)} m"
+
+
+def _decimal(value: float, digits: int) -> str:
+    return f"{value:.{digits}f}" if abs(value) < LARGE else f"{value:.{digits}g}"
 
 
 def both(first: float, second: float, write: Write) -> tuple[str, str]:
     """The texts of two numbers that differ."""
-    for digits in range(USUAL, MOST + 1):
-        texts = _signed(write(first, digits)), _signed(write(second, digits))
-        if texts[0] != texts[1]:
-            return texts
-    return _signed(write(first, USUAL)), _signed(write(second, USUAL))
+    written = [
+        (_signed(write(first, digits)), _signed(write(second, digits)))
+        for digits in range(USUAL, MOST + 1)
+    ]
+    return next((texts for texts in written if texts[0] != texts[1]), written[0])
 
 
 def _signed(text: str) -> str:

@@ -11,7 +11,7 @@ from html import unescape
 from typing import Literal
 
 from sim.pages.classroom.moodle_text import LONGEST, plain_text
-from sim.pages.classroom.pictures import Pictures, no_pictures
+from sim.pages.classroom.pictures import SHOWN, Pictures, no_pictures
 from sim.pages.classroom.portable import Portable
 from sim.pages.classroom.qti.mathml import FORMULA, Formulas, no_formulas, with_mathml
 
@@ -20,7 +20,6 @@ Target = Literal["moodle", "gift", "qti"]
 MOST_RIGHT = 10
 """Right answers of one question whose share of the marks Moodle knows (100 % / n, n up to 10)."""
 
-_SHOWN = re.compile(r'<img\b[^>]*?\bsrc="([^"]*)"')
 _OWN_LINK = re.compile(r'<a href="(?![a-z]+:)', re.IGNORECASE)
 
 
@@ -66,10 +65,10 @@ def _not_shown(
     lines = [*(right for _, right in q.pairs), *q.others]
     if target == "qti":  # there a line may hold what any text does
         texts, lines = [*texts, *lines], []
-    shown = [unescape(found) for text in texts for found in _SHOWN.findall(text)]
+    shown = [unescape(one["address"]) for text in texts for one in SHOWN.finditer(text)]
     if any(target == "gift" or pictures(address) is None for address in shown):
         yield "its pictures are not in the file; add them on the platform"
-    if any(map(_SHOWN.search, lines)):
+    if any(map(SHOWN.search, lines)):
         yield "of a picture in a list to choose from, its words are there"
     if any(map(FORMULA.search, lines)):
         yield "formulas in a list to choose from stand there as they are typed"

@@ -7,14 +7,13 @@ from base64 import b64encode
 from html import unescape
 from xml.sax.saxutils import quoteattr
 
-from sim.pages.classroom.pictures import Pictures, numbered
+from sim.pages.classroom.pictures import SHOWN, Pictures, numbered
 
 LONGEST = 255
 """Letters of a category's name, and of a line in a list to choose from."""
 
 _MARK = re.compile("<[^>]*>")
 _PICTURE = re.compile(r'<img\b[^>]*?\balt="([^"]*)"[^>]*>')
-_SHOWN = re.compile(r'(<img\b[^>]*?\bsrc=")([^"]*)')
 
 
 def category(title: str) -> str:
@@ -44,14 +43,16 @@ def text_and_files(html: str, pictures: Pictures) -> str:
     files = []
 
     def shown(found: re.Match[str]) -> str:
-        address = unescape(found[2])
+        address = unescape(found["address"])
         if address not in names and (content := pictures(address)) is not None:
             name = names[address] = numbered(len(names) + 1, address)
             encoded = b64encode(content).decode("ascii")
             files.append(
                 f'<file name={quoteattr(name)} path="/" encoding="base64">{encoded}</file>'
             )
-        return f"{found[1]}@@PLUGINFILE@@/{names[address]}" if address in names else found[0]
+        if address not in names:
+            return found[0]
+        return f'{found["before"]}@@PLUGINFILE@@/{names[address]}"'
 
-    text = _SHOWN.sub(shown, html)
+    text = SHOWN.sub(shown, html)
     return f"<text>{cdata(text)}</text>{''.join(files)}"

@@ -11,6 +11,9 @@ from urllib.parse import unquote
 Pictures = Callable[[str], bytes | None]
 """What a picture of a site holds, by its address in a question; None: it is not there."""
 
+SHOWN = re.compile(r'(?P<before><img\b[^>]*?\bsrc=")(?P<address>[^"]*)"')
+"""A picture in the HTML of a question."""
+
 ELSEWHERE = re.compile(r"[a-z][a-z0-9+.-]*:|//", re.IGNORECASE)
 _PLAIN = re.compile(r"[^A-Za-z0-9.]+")
 _ENDINGS = (".png", ".jpg", ".jpeg", ".gif", ".svg", ".webp")

@@ -14,7 +14,7 @@ import { METHODS } from "./methods.js";
  */
 
 const [MANY, HUGE] = [1000, 10_000];
-export const FEW = 10; // times the energy of the start, where a push or magnets bring in more
+const FEW = 10; // times the energy of the start, where a push or magnets bring in more
 /** What is shown first. */
 export const FIRST = { method: "euler", parts: 103 };
 const ENDLESS = tr("beyond all numbers");
@@ -23,6 +23,9 @@ const ENDLESS = tr("beyond all numbers");
 function percent(part, whole) {
   return `${plain((100 * part) / whole, 1)} %`;
 }
+
+/** Whether energies are told in parts of that at the start; else in joules. @param {number} start @param {number} most */
+export const inParts = (start, most) => start > 0 && most < FEW * start;
 
 /** So that two that differ look different. @param {number} value */
 function joules(value) {
@@ -45,7 +48,7 @@ export function told({ v, energy, evaluations }) {
     ]);
   });
   const { initial, stepped, exact, imbalance } = energy;
-  const part = initial > 0 && exact < FEW * initial;
+  const part = inParts(initial, exact);
   /** @param {number} value */
   const amount = (value) => (part ? percent(value, initial) : joules(value));
   return [

@@ -10588,6 +10588,7 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<t
   function percent(part, whole) {
     return `${plain(100 * part / whole, 1)} %`;
   }
+  var inParts = (start, most) => start > 0 && most < FEW * start;
   function joules(value) {
     return `${Math.abs(value) < 0.1 ? short(value) : plain(value, 3)} J`;
   }
@@ -10604,7 +10605,7 @@ ${steps}<g class="carts-breaks-ticks">${ticks(first).map(([x, text3]) => html`<t
       ];
     });
     const { initial, stepped, exact, imbalance } = energy;
-    const part = initial > 0 && exact < FEW * initial;
+    const part = inParts(initial, exact);
     const amount2 = (value) => part ? percent(value, initial) : joules(value);
     return [
       ...speeds,
@@ -13225,7 +13226,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   var MOST = 3;
   function measureOf(exact) {
     const [start, most] = [Number(exact[0]), Math.max(...exact)];
-    return FEW * start > most ? { whole: start, unit: "%", ticked: 100 } : { whole: most || 1, unit: "J", ticked: most || 1 };
+    return inParts(start, most) ? { whole: start, unit: "%", ticked: 100 } : { whole: most || 1, unit: "J", ticked: most || 1 };
   }
   var CostStage = class {
     constructor(root) {

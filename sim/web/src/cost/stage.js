@@ -1,6 +1,6 @@
 /** The carts run twice: as stepped, and exactly as a dashed outline; below, the energy of motion. */
 
-import { FEW } from "../../../view/cost/words.js";
+import { inParts } from "../../../view/cost/words.js";
 import { px, short } from "../../../view/numbers.js";
 import { axis, ticks } from "../../../view/scales.js";
 import { need, put, svg } from "../shared/dom.js";
@@ -18,7 +18,7 @@ const MOST = 3; // times the energy at the start, or the greatest of the exact r
  */
 export function measureOf(exact) {
   const [start, most] = [Number(exact[0]), Math.max(...exact)];
-  return FEW * start > most
+  return inParts(start, most)
     ? { whole: start, unit: "%", ticked: 100 }
     : { whole: most || 1, unit: "J", ticked: most || 1 };
 }
