@@ -43,14 +43,13 @@ class Network:
     most: int = 0
     lock: threading.Lock = field(default_factory=threading.Lock)
 
-    def begun(self, name: str) -> None:
+    def wait(self, name: str) -> None:
+        """Counted as under way until the first byte goes: a page that has the last may ask on."""
         with self.lock:
             self.asked[name] += 1
             self.under_way += 1
             self.most = max(self.most, self.under_way)
         time.sleep(self.seconds if self.held and self.held in name else self.late)
-
-    def over(self) -> None:
         with self.lock:
             self.under_way -= 1
 
@@ -70,16 +69,13 @@ def serving(folder: Path) -> Iterator[Network]:
             name = self.path.rpartition("/")[2].partition("?")[0]
             if "/runtime/" not in self.path:
                 return super().do_GET()
-            state.begun(name)
-            try:
-                if state.is_among(state.drops, name):
-                    self.send_error(503)
-                elif state.is_among(state.cuts, name):
-                    self.half()
-                else:
-                    super().do_GET()
-            finally:
-                state.over()
+            state.wait(name)
+            if state.is_among(state.drops, name):
+                self.send_error(503)
+            elif state.is_among(state.cuts, name):
+                self.half()
+            else:
+                super().do_GET()
 
         def half(self) -> None:
             """The first half of a file, as if that were all of it."""
