@@ -57,6 +57,16 @@ def test_letters_twice_as_large_leave_the_picture_what_room_there_is(
     assert [one for one in page.evaluate(LETTERS) if one["size"] < LEAST_LETTER] == []
 
 
+def test_the_head_of_a_page_fits_a_phone_whose_letters_are_twice_as_large(
+    open_page: OpenPage, site: Path
+) -> None:
+    """The home page's has a button more: that of the answers."""
+    page = open_page(site / "index.html", folder=site, viewport={"width": 360, "height": 740})
+    enlarge(page, 32)
+    expect(page.locator("html")).to_have_css("font-size", "40px")
+    assert page.evaluate("document.documentElement.scrollWidth") <= 361
+
+
 FINGER = 44  # px
 PULLED = ".carts :is(.carts-button, .carts-slider)"
 
