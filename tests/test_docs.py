@@ -39,6 +39,12 @@ VALUES = [
 ]
 
 
+def test_the_readme_tells_every_folder_of_the_package() -> None:
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    rooms = {file.parent.name for file in ROOT.glob("sim/*/__init__.py")} | {"view", "web"}
+    assert rooms == set(re.findall(r"^\| \[`sim/(\w+)`\]", readme, re.M))
+
+
 def test_every_room_of_the_generator_is_told() -> None:
     pages = ROOT / "sim" / "pages"
     text = (ROOT / "docs" / "developers" / "generator.md").read_text(encoding="utf-8")
