@@ -122,7 +122,7 @@ class Releases(Contacts):
             for k in carts:
                 self.bodies[k] = body
         left, right = parts
-        left.held, gap.joined = one.held, False
+        left.held, right.held, gap.joined = one.held, one.held, False
         for near in self.gaps:
             if near.left is one:
                 near.left = left if near.index < gap.index else right

@@ -2,7 +2,8 @@
  * Where the energy is at every row of a run: in the motion of each cart, in squeezed bumpers, and
  * what has warmed the bumpers. Carts that touch keep the difference to the start in their bumpers;
  * what has not come back when all of them are apart has warmed them, as the program's own ledger
- * counts it. Holds as long as only contacts act.
+ * counts it. So it is when a run ends in a contact, where that ledger still has something in the
+ * bumpers then. Holds as long as only contacts act.
  */
 
 import { tr } from "./language.js";
@@ -12,6 +13,8 @@ import { seriesOf } from "./series.js";
 /** @typedef {import("./series.js").Series} Series */
 /** @typedef {{start: number, end: number}} Span */
 
+const HELD = 1e-3; // of what is not in motion at the end; dead bumpers hold less, and lose that too
+
 /** @param {Run} run @param {import("./windows.js").Touch[]} windows @param {number} camera in m/s @returns {Series[]} J, from below to above */
 export function ledger({ header, trajectory }, windows, camera) {
   const moving = seriesOf("energy", header, trajectory, camera).filter((c) => c.style !== "total");
@@ -20,7 +23,11 @@ export function ledger({ header, trajectory }, windows, camera) {
   const start = sum(0);
   const squeezed = new Float64Array(times.length);
   const warmed = new Float64Array(times.length);
-  const groups = together(windows);
+  const last = Math.max(0, start - sum(times.length - 1));
+  const held = Number(header.energy?.parts.bumpers?.final ?? 0) > HELD * last;
+  const groups = together(
+    windows.map((touch) => (held && touch.lasts ? { ...touch, end: Infinity } : touch)),
+  );
   let kept = 0; // J, warmed before the touches that are on
   for (let k = 0; k < times.length; k += 1) {
     const t = Number(times[k]);

@@ -16,6 +16,7 @@
  * What a run is made of besides its numbers:
  * @typedef {{ok: boolean, title: string | null, until: number, gravity: number, bodies: Body[], track: Track,
  *   contacts: Contact[], rows: number, columns: string[][], events: RunEvent[], plan: Phase[],
+ *   energy?: {parts: Record<string, {initial: number, final: number}>},
  *   notSimulated: string[], effects: Effect[], warnings: Warning[], problems?: Problem[]}} Header
  *
  * The numbers; two rows at one time are a jump (before, after):

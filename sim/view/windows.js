@@ -15,6 +15,8 @@ export function touches(events, until) {
   const open = new Map(); // contacts by pair, springs by “loose A-B”
   /** @type {Map<string, number>} */
   const peaks = new Map();
+  /** @type {Map<string, number>} */
+  const anew = new Map();
   /** @type {Touch[]} */
   const found = [];
   for (const event of events) {
@@ -22,11 +24,16 @@ export function touches(events, until) {
     const pair = bodies.join("-");
     const touch = { pair, bodies, start, end: start };
     if (event.kind === "contact" && !event.impulse) {
+      const old = open.get(pair); // parts and touches anew at one instant: the contact is told first
+      if (old) found.push({ ...old.touch, end: start });
+      if (old) anew.set(pair, start);
       open.set(pair, { touch, before });
     } else if (event.kind === "release" && !event.impulse) {
       open.set(`loose ${pair}`, { touch: { ...touch, loose: true }, before });
     } else if (event.kind === "peak") {
       peaks.set(pair, event.t);
+    } else if (event.kind === "separate" && anew.get(pair) === start) {
+      anew.delete(pair); // that was the old one
     } else if (event.kind === "separate" || event.kind === "stick") {
       const keys = [`loose ${pair}`, pair].filter((key) => open.has(key));
       const key = keys.length < 2 || begunWith(before, open.get(String(keys[0]))) ? keys[0] : pair;

@@ -22,11 +22,23 @@ from typing import Any
 from sim.certify.certificate import certify, document
 from sim.scene import SceneError, read_scene
 from tests.certify.held import misses, widths
-from tests.certify.random_scenes import letting_go, plain, swinging, touching
+from tests.certify.random_scenes import (
+    letting_go,
+    letting_go_from_rest,
+    plain,
+    swinging,
+    touching,
+)
 from tests.processor_time import TooSlowError, budget
 from tests.reference.digit_pairs import UnsupportedError
 
-MAKE = {"plain": plain, "rows": touching, "springs": swinging, "releases": letting_go}
+MAKE = {
+    "plain": plain,
+    "rows": touching,
+    "springs": swinging,
+    "releases": letting_go,
+    "rough": letting_go_from_rest,
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +89,7 @@ def _named_apart(reason: str) -> str:
 
 def kind(seed: int, given: argparse.Namespace) -> str:
     """Which scenes: of ten, six are plain, two rows, two have springs."""
-    asked = [one for one in ("rows", "springs", "releases") if getattr(given, one)]
+    asked = [one for one in ("rows", "springs", "releases", "rough") if getattr(given, one)]
     if asked:
         return asked[0]
     return ("plain", "rows", "plain", "springs", "plain")[seed % 5]
@@ -99,6 +111,7 @@ def main() -> int:
     asked.add_argument("--rows", action="store_true", help="three and more carts at once")
     asked.add_argument("--springs", action="store_true", help="springs and linear drag")
     asked.add_argument("--releases", action="store_true", help="exploders")
+    asked.add_argument("--rough", action="store_true", help="exploders of carts that friction holds")
     asked.add_argument("--kept", type=Path, help="file of what is done; a second run goes on there")
     given = asked.parse_args()
     done = known(given.kept)

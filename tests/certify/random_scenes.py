@@ -124,6 +124,16 @@ def letting_go(seed: int) -> dict[str, Any]:
     return {"carts": carts, "track": track, "contact": contact, "until": until, "effects": effects}
 
 
+def letting_go_from_rest(seed: int) -> dict[str, Any]:
+    """The same on a rough track, where all stand until a spring is let go."""
+    made, dice = letting_go(seed), Random(f"rough {seed}")
+    for cart in made["carts"].values():
+        cart["velocity"] = 0
+    releases = [one for one in made["effects"] if "release" in one]
+    rough = {"friction": {"coefficient": round(10 ** dice.uniform(-2, -0.5), 4)}}
+    return made | {"effects": [*releases, rough]}
+
+
 def _contact(dice: Random, laws: tuple[str, ...] = LAWS) -> dict[str, Any]:
     law = dice.choice(laws)
     found: dict[str, Any] = {"law": law}

@@ -99,6 +99,21 @@ def test_the_spring_of_an_exploder_is_followed_when_what_it_pushes_comes_off_a_w
     assert misses(scene, found) == []
 
 
+def test_carts_that_friction_holds_stand_until_an_exploder_moves_them() -> None:
+    """The heavy one never starts: of a stop that never was the order was proved."""
+    scene = read_scene({
+        "carts": {"A": {"mass": 0.2, "position": 0.3}, "B": {"mass": 5, "position": 0.5}},
+        "contact": {"law": "bumper", "restitution": 1, "stiffness": 1000}, "until": 1,
+        "effects": [
+            {"release": {"between": ["A", "B"], "energy": 0.02, "at": 0.25, "stiffness": 100}},
+            {"friction": {"coefficient": 0.1}}],
+    })  # fmt: skip
+    found = document(certify(scene))
+    told = {(event["kind"], *event["bodies"]) for event in found["events"]}
+    assert ("start", "A") in told and ("stop", "B") not in told
+    assert found["order"] == "proved" and misses(scene, found) == []
+
+
 @pytest.mark.parametrize("law", ["push-only", "push-only-uncorrected", "paper", "bumper"])
 @pytest.mark.parametrize("speed", [0.01, 0.05])
 @pytest.mark.parametrize("e", [0.5, 0.7, 1])

@@ -4354,17 +4354,23 @@
   function touches(events, until) {
     const open2 = /* @__PURE__ */ new Map();
     const peaks = /* @__PURE__ */ new Map();
+    const anew = /* @__PURE__ */ new Map();
     const found3 = [];
     for (const event of events) {
       const { bodies, before, t: start } = event;
       const pair = bodies.join("-");
       const touch = { pair, bodies, start, end: start };
       if (event.kind === "contact" && !event.impulse) {
+        const old = open2.get(pair);
+        if (old) found3.push({ ...old.touch, end: start });
+        if (old) anew.set(pair, start);
         open2.set(pair, { touch, before });
       } else if (event.kind === "release" && !event.impulse) {
         open2.set(`loose ${pair}`, { touch: { ...touch, loose: true }, before });
       } else if (event.kind === "peak") {
         peaks.set(pair, event.t);
+      } else if (event.kind === "separate" && anew.get(pair) === start) {
+        anew.delete(pair);
       } else if (event.kind === "separate" || event.kind === "stick") {
         const keys = [`loose ${pair}`, pair].filter((key2) => open2.has(key2));
         const key = keys.length < 2 || begunWith(before, open2.get(String(keys[0]))) ? keys[0] : pair;
@@ -4451,7 +4457,9 @@
     return valueAt(trajectory.t, trajectory.v[name] ?? [], trajectory.a[name] ?? [], t3);
   }
   function ended2({ header }) {
-    return touches(header.events, header.until).filter(({ end: end2 }) => end2 < header.until);
+    return touches(header.events, header.until).filter(
+      ({ end: end2, lasts }) => !lasts && end2 < header.until
+    );
   }
   function impulseOf({ header }, { pair, end: end2 }) {
     const all = header.events.filter(({ t: t3, bodies }) => t3 === end2 && bodies.join("-") === pair);
@@ -8832,6 +8840,7 @@ ${lines4.join("\n")}
   }
 
   // ../view/ledger.js
+  var HELD2 = 1e-3;
   function ledger({ header, trajectory }, windows, camera) {
     const moving = seriesOf("energy", header, trajectory, camera).filter((c2) => c2.style !== "total");
     const times2 = trajectory.t;
@@ -8839,7 +8848,11 @@ ${lines4.join("\n")}
     const start = sum(0);
     const squeezed = new Float64Array(times2.length);
     const warmed2 = new Float64Array(times2.length);
-    const groups = together3(windows);
+    const last = Math.max(0, start - sum(times2.length - 1));
+    const held = Number(header.energy?.parts.bumpers?.final ?? 0) > HELD2 * last;
+    const groups = together3(
+      windows.map((touch) => held && touch.lasts ? { ...touch, end: Infinity } : touch)
+    );
     let kept = 0;
     for (let k = 0; k < times2.length; k += 1) {
       const t3 = Number(times2[k]);

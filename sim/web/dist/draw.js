@@ -13114,17 +13114,23 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   function touches(events, until) {
     const open2 = /* @__PURE__ */ new Map();
     const peaks = /* @__PURE__ */ new Map();
+    const anew = /* @__PURE__ */ new Map();
     const found = [];
     for (const event of events) {
       const { bodies, before: before2, t: start } = event;
       const pair = bodies.join("-");
       const touch = { pair, bodies, start, end: start };
       if (event.kind === "contact" && !event.impulse) {
+        const old = open2.get(pair);
+        if (old) found.push({ ...old.touch, end: start });
+        if (old) anew.set(pair, start);
         open2.set(pair, { touch, before: before2 });
       } else if (event.kind === "release" && !event.impulse) {
         open2.set(`loose ${pair}`, { touch: { ...touch, loose: true }, before: before2 });
       } else if (event.kind === "peak") {
         peaks.set(pair, event.t);
+      } else if (event.kind === "separate" && anew.get(pair) === start) {
+        anew.delete(pair);
       } else if (event.kind === "separate" || event.kind === "stick") {
         const keys2 = [`loose ${pair}`, pair].filter((key3) => open2.has(key3));
         const key2 = keys2.length < 2 || begunWith(before2, open2.get(String(keys2[0]))) ? keys2[0] : pair;
@@ -14369,6 +14375,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   }
 
   // ../view/ledger.js
+  var HELD = 1e-3;
   function ledger({ header, trajectory }, windows, camera) {
     const moving = seriesOf("energy", header, trajectory, camera).filter((c) => c.style !== "total");
     const times2 = trajectory.t;
@@ -14376,7 +14383,11 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     const start = sum(0);
     const squeezed = new Float64Array(times2.length);
     const warmed2 = new Float64Array(times2.length);
-    const groups = together2(windows);
+    const last = Math.max(0, start - sum(times2.length - 1));
+    const held = Number(header.energy?.parts.bumpers?.final ?? 0) > HELD * last;
+    const groups = together2(
+      windows.map((touch) => held && touch.lasts ? { ...touch, end: Infinity } : touch)
+    );
     let kept = 0;
     for (let k = 0; k < times2.length; k += 1) {
       const t = Number(times2[k]);

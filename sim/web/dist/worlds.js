@@ -1109,17 +1109,23 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   function touches(events, until) {
     const open2 = /* @__PURE__ */ new Map();
     const peaks = /* @__PURE__ */ new Map();
+    const anew = /* @__PURE__ */ new Map();
     const found2 = [];
     for (const event of events) {
       const { bodies, before, t: start } = event;
       const pair = bodies.join("-");
       const touch = { pair, bodies, start, end: start };
       if (event.kind === "contact" && !event.impulse) {
+        const old = open2.get(pair);
+        if (old) found2.push({ ...old.touch, end: start });
+        if (old) anew.set(pair, start);
         open2.set(pair, { touch, before });
       } else if (event.kind === "release" && !event.impulse) {
         open2.set(`loose ${pair}`, { touch: { ...touch, loose: true }, before });
       } else if (event.kind === "peak") {
         peaks.set(pair, event.t);
+      } else if (event.kind === "separate" && anew.get(pair) === start) {
+        anew.delete(pair);
       } else if (event.kind === "separate" || event.kind === "stick") {
         const keys = [`loose ${pair}`, pair].filter((key2) => open2.has(key2));
         const key = keys.length < 2 || begunWith(before, open2.get(String(keys[0]))) ? keys[0] : pair;

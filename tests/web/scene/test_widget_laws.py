@@ -9,6 +9,7 @@ import pytest
 from sim.bridge.protocol import answer
 from tests import registry
 from tests.web.scene.given.widget_site import in_node
+from tests.web.scene.given.wired import READ, wired
 
 ROUNDING = 1e-9  # of the scene's own scale: sums of some thousand rows
 
@@ -113,3 +114,31 @@ def test_the_energy_ledger_adds_up_and_ends_as_the_program_counts(
         assert gone == pytest.approx(energy["initial"] - view["kinetic"], abs=ROUNDING * scale)
         if not any(touch["open"] for touch in view["touches"]):
             assert view["warmed"] == pytest.approx(energy["warmed"], abs=ROUNDING * scale)
+
+
+def test_what_bumpers_hold_as_a_run_ends_has_not_warmed_them() -> None:
+    """Elastic ones gave back what had "warmed" them; what never springs back is warm at its peak."""
+    carts = {
+        "A": {"mass": 1, "position": 0.3, "velocity": 1},
+        "B": {"mass": 1, "position": 0.7},
+    }
+    bumper = {"law": "bumper", "restitution": 1, "stiffness": 50}
+    hertz = {"law": "hertz", "restitution": 0, "stiffness": 5000}
+    ends = in_node(
+        READ
+        + """const { touches } = await import(view + "/windows.js");
+        const { ledger } = await import(view + "/ledger.js");
+        give(data.map((one) => {
+          const run = opened(one);
+          const entries = ledger(run, touches(run.header.events, run.header.until), 0);
+          return entries.slice(-2).map(({ values }) => [Math.max(...values), values.at(-1)]);
+        }));""",
+        [
+            wired({"carts": carts, "contact": bumper, "until": 0.45}),
+            wired({"carts": carts, "contact": hertz, "until": 0.45}),
+        ],
+    )
+    (held, warmed), (_, warm) = ends
+    assert held == [pytest.approx(0.25, abs=1e-3), pytest.approx(0.08954, abs=1e-5)]
+    assert warmed == [pytest.approx(0.0, abs=1e-12)] * 2
+    assert warm == [pytest.approx(0.25, abs=1e-4)] * 2  # the two still become equally fast

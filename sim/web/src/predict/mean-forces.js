@@ -49,7 +49,9 @@ export function velocity({ trajectory }, name, t) {
 
 /** @param {Run} run */
 function ended({ header }) {
-  return touches(header.events, header.until).filter(({ end }) => end < header.until);
+  return touches(header.events, header.until).filter(
+    ({ end, lasts }) => !lasts && end < header.until,
+  );
 }
 
 /** N s, from the first touch to the end. @param {Run} run @param {Touch} touch */

@@ -178,3 +178,28 @@ def test_a_spring_that_is_let_go_in_a_contact_has_a_window_of_its_own() -> None:
     assert contact["end"] < spring["end"] < 0.6
     assert "loose" not in contact
     assert spring["loose"] is True
+
+
+ANEW: dict[str, Any] = {
+    "carts": {
+        "A": {"mass": 0.22, "position": 0.4, "velocity": 1},
+        "B": {"mass": 0.61, "position": 0.601},
+        "C": {"mass": 0.47, "position": 0.934},
+    },
+    "contact": {
+        "law": "paper",
+        "restitution": 0,
+        "stiffness": 29881,
+        "pairs": {"B-C": {"law": "push-only", "restitution": 0.5, "stiffness": 310}},
+    },
+    "until": 2,
+}
+
+
+def test_two_that_part_and_touch_anew_at_one_instant_have_touched_twice() -> None:
+    """A and B move on together until B meets C: their first hit had no window, so no impulse."""
+    assert sorted((one["pair"], one["start"]) for one in windows(ANEW)) == [
+        ("A-B", pytest.approx(0.001)),
+        ("A-B", pytest.approx(0.50277, abs=1e-5)),
+        ("B-C", pytest.approx(0.50277, abs=1e-5)),
+    ]
