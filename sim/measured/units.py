@@ -32,8 +32,7 @@ _WRITTEN = {
     "minuten": "min", "分钟": "min",
     "inch": "in", "inches": "in", "foot": "ft", "feet": "ft",
     "м": "m", "米": "m", "см": "cm", "厘米": "cm", "мм": "mm", "毫米": "mm",
-    "м/с": "m/s", "米/秒": "m/s", "mps": "m/s", "m s-1": "m/s", "m·s⁻¹": "m/s", "m s⁻¹": "m/s",
-    "m·s-1": "m/s", "cm s-1": "cm/s", "kmh": "km/h", "kph": "km/h",
+    "м/с": "m/s", "米/秒": "m/s", "mps": "m/s", "kmh": "km/h", "kph": "km/h",
 }  # fmt: skip
 """Units as they are written out, or in other letters."""
 
@@ -88,25 +87,29 @@ def head(text: str) -> tuple[str, str]:
     """Name and unit of a column's head: ("x", "cm") for “x (cm)”; an empty unit: none is there."""
     text = narrow(text).strip()
     for pattern in _TOLD:
-        if (match := pattern.fullmatch(text)) and kind_of_unit(match["unit"]):
-            return match["name"].strip(), match["unit"].strip()
-    if (match := _INSIDE.fullmatch(text)) and _is_unit(match["unit"], glued=not match["gap"]):
+        if (match := pattern.fullmatch(text)) and is_unit(match["unit"]):
+            return match["name"].strip().removesuffix(" in"), match["unit"].strip()
+    if (
+        (match := _INSIDE.fullmatch(text))
+        and is_unit(match["unit"])
+        and (match["gap"] or plain_unit(match["unit"]) != "s")  # glued: a plural, “Position(s) A”
+    ):
         return f"{match['name']} {match['who']}", match["unit"].strip()
     for pattern in _HEAD:
         if match := pattern.fullmatch(text):
-            return match["name"].strip(), match["unit"].strip()
+            return match["name"].strip().removesuffix(" in"), match["unit"].strip()
     return text, ""
 
 
+_PER_SECOND = re.compile(r"([cdmk]?m)[\s·⋅*.]*s(?:\^?[-−]1|⁻¹)", re.I)
+_SHOUTED = {"m", "cm", "mm", "s", "ms", "m/s", "cm/s", "mm/s"}
 _PER_SQUARE = re.compile(r"([cm]?m)\W?s(?:\W{0,2}[2²]|⁻²)", re.I)
 
 
-def _is_unit(text: str, *, glued: bool) -> bool:
-    """Of any quantity. “(s)” that is glued to a word is its plural: “Position(s) A”."""
+def is_unit(text: str) -> bool:
+    """Of any quantity that is read here."""
     unit = plain_unit(text)
-    if kind_of_unit(unit) or unit in SPEED.units:
-        return not (glued and unit == "s")
-    return of_acceleration(unit) is not None
+    return bool(kind_of_unit(unit)) or unit in SPEED.units or of_acceleration(unit) is not None
 
 
 G = 9.80665
@@ -122,8 +125,12 @@ def of_acceleration(unit: str) -> float | None:
 
 
 def plain_unit(unit: str) -> str:
-    """A unit as the tables here write it."""
+    """A unit as the tables here write it; “CM” and “CM/S” are shouted."""
     unit = unit.strip().replace("μ", "µ")
+    if match := _PER_SECOND.fullmatch(unit):
+        unit = f"{match[1]}/s"
+    if unit.upper() == unit and unit.lower() in _SHOUTED:
+        return unit.lower()
     return _WRITTEN.get(unit.lower(), unit)
 
 

@@ -77,9 +77,10 @@ MASS = _dimension("mass", "0.5 kg", kg="1", g="1/1000", mg="1/1000000", t="1000"
 LENGTH = _dimension("length", "0.40 m", m="1", cm="1/100", mm="1/1000", km="1000", µm="1/1000000")
 LENGTH_READ = Dimension(
     LENGTH.name, LENGTH.si, LENGTH.example,
-    LENGTH.units | {"in": Fraction(127, 5000), "ft": Fraction(381, 1250)},
+    LENGTH.units
+    | {"dm": Fraction(1, 10), "in": Fraction(127, 5000), "ft": Fraction(381, 1250)},
 )  # fmt: skip
-"""Of readings: some devices write inches and feet. A scene does not."""
+"""Of readings: some devices write inches and feet, some students dm. A scene does not."""
 
 SPEED = _dimension(
     "velocity",

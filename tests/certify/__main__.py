@@ -111,7 +111,7 @@ def main() -> int:
     asked.add_argument("--rows", action="store_true", help="three and more carts at once")
     asked.add_argument("--springs", action="store_true", help="springs and linear drag")
     asked.add_argument("--releases", action="store_true", help="exploders")
-    asked.add_argument("--rough", action="store_true", help="exploders of carts that friction holds")
+    asked.add_argument("--rough", action="store_true", help="exploders, where friction holds")
     asked.add_argument("--kept", type=Path, help="file of what is done; a second run goes on there")
     given = asked.parse_args()
     done = known(given.kept)

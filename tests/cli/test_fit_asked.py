@@ -139,3 +139,9 @@ def test_a_cart_is_named_as_it_is_called_or_as_tracker_calls_it(tmp_path: Path, 
     found = json.loads(fit(tmp_path / "film.txt", text, *asked).stdout)
     assert found["names"] == ["A", "B"]
     assert "mass" in {one["key"] for one in found["known"]}
+
+
+def test_a_mass_that_is_given_twice_is_refused(tmp_path: Path) -> None:
+    """The last one was taken, without a word."""
+    found = fit(tmp_path / "film.txt", FILM, "--mass", "A=500g", "--mass", "A=600g")
+    assert found.exit_code == 2 and "--mass A=600g: A has one already." in found.output

@@ -5,28 +5,14 @@ from __future__ import annotations
 import pytest
 
 from sim.measured.refusal import ReadingError
-from sim.measured.tracks import Measured, read_measured
+from sim.measured.tracks import read_measured
 from sim.measured.units import Units, head
 from tests.measured.device_reports import LOGGED
 from tests.measured.devices import phone, sensor_carts
-from tests.measured.written_films import A, B, T
+from tests.measured.written_films import A, B, T, is_the_film, table
 
 G = 9.80665
 LOG = sensor_carts(LOGGED).removeprefix("\ufeff").replace('"', "")
-
-
-def table(heads: str, size: float = 1.0, clock: float = 1.0) -> str:
-    rows = zip(T, A, B, strict=True)
-    return "\n".join([heads, *(f"{t / clock:.9f},{a / size:.9f},{b / size:.9f}"
-                               for t, a, b in rows)])  # fmt: skip
-
-
-def is_the_film(found: Measured) -> bool:
-    wanted = pytest.approx([t - T[0] for t in T], abs=1e-6)
-    return all(
-        [t - track.t[0] for t in track.t] == wanted and track.value == pytest.approx(x, abs=1e-6)
-        for track, x in zip(found.tracks, (A, B), strict=True)
-    )
 
 
 @pytest.mark.parametrize("form", [

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import pytest
+
+from sim.measured.tracks import Measured
 from tests.measured.makers import as_text, film, truth
 
 WANTED = film(truth(), rate=30)
@@ -69,3 +72,19 @@ VARIANTS = {
     + rows(","),
     "other names": "Zeit\tOrt 1\tOrt 2\n" + rows("\t"),
 }
+
+
+def table(heads: str, size: float = 1.0, clock: float = 1.0) -> str:
+    """The film below these heads, in units of `size` m and `clock` s."""
+    rows = zip(T, A, B, strict=True)
+    return "\n".join([heads, *(f"{t / clock:.9f},{a / size:.9f},{b / size:.9f}"
+                               for t, a, b in rows)])  # fmt: skip
+
+
+def is_the_film(found: Measured) -> bool:
+    """Whether it was read as it is, whatever its clock began with."""
+    wanted = pytest.approx([t - T[0] for t in T], abs=1e-6)
+    return all(
+        [t - track.t[0] for t in track.t] == wanted and track.value == pytest.approx(x, abs=1e-6)
+        for track, x in zip(found.tracks, (A, B), strict=True)
+    )

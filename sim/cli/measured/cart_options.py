@@ -45,7 +45,10 @@ def values_by_cart(
         if number is None:
             what = "MASS" if dimension is MASS else "LENGTH"
             raise click.UsageError(f"{option} {text}: write NAME={what}, for example {sample}.")
-        found[_cart(option, text, name.strip(), names)] = number
+        cart = _cart(option, text, name.strip(), names)
+        if cart in found:
+            raise click.UsageError(f"{option} {text}: {cart} has one already.")
+        found[cart] = number
     return found
 
 

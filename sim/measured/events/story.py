@@ -10,6 +10,7 @@ from sim.measured.events.contacts import Contact, chosen, contacts, where_near
 from sim.measured.events.frames import Axis, Frames, frames_of, moved
 from sim.measured.events.grid import grid_of
 from sim.measured.events.in_step import StepMatch, in_step
+from sim.measured.events.one_motion import check_two_motions
 from sim.measured.events.outcome import Outcome, check_push, check_seen, outcome_of, perhaps_lost
 from sim.measured.events.pushed_off import by_hands
 from sim.measured.events.quantities import SCALES
@@ -77,6 +78,8 @@ def story_of(measured: Measured, hints: Hints = Hints()) -> Story:
         step = in_step(grid, contact.begin, contact.end)
         story = replace(story, step=step)
         sides = sides_of(measured.tracks, contact, named)
+        if not measured.own and not hints.flips:
+            check_two_motions(measured)
         raw = speeds_of(sides)
         frames = frames_of(measured, raw, hints.flips, hints.zeros, hints.distance)
         plain = frames.axes == (Axis(1, 0.0), Axis(1, 0.0))

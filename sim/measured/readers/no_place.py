@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from sim.measured.refusal import refuse, shown
-from sim.measured.sheet.heads import quantity_of
 from sim.measured.sheet.table import Column, Table
 from sim.measured.sheet.whose import are_velocities, no_place_of_tracks
+from sim.measured.units import is_unit, of_acceleration
 from sim.scene.said import said
 
 
@@ -30,8 +30,7 @@ def no_velocities(table: Table, columns: Sequence[Column]) -> None:
 
 def no_accelerations(table: Table) -> None:
     """Accelerations of a phone are read along all its axes; those of carts tell no place."""
-    with_unit = [c for c in table.columns if c.unit]
-    named = (c.name for c in with_unit if quantity_of(c.name, c.unit)[0] == "acc")
+    named = (c.name for c in table.columns if of_acceleration(c.unit) is not None)
     if name := next(named, ""):
         raise refuse(
             table.heads_line,
@@ -40,4 +39,18 @@ def no_accelerations(table: Table) -> None:
                 column=shown(name),
             ),
             said("of a phone export x, y and z; of carts positions or velocities"),
+        )
+
+
+def no_unknown_unit(table: Table) -> None:
+    """What a column is in, where nobody here knows that unit."""
+    if column := next((c for c in table.columns if c.unit and not is_unit(c.unit)), None):
+        raise refuse(
+            table.heads_line,
+            said(
+                "“{unit}” is no unit that is known here (column {column})",
+                unit=shown(column.unit),
+                column=shown(column.name),
+            ),
+            said("positions in m, cm or mm, velocities in m/s or cm/s, forces in N"),
         )

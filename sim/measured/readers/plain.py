@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from sim.measured.readers.idle import are_idle
-from sim.measured.readers.no_place import no_accelerations, no_velocities
+from sim.measured.readers.no_place import no_accelerations, no_unknown_unit, no_velocities
 from sim.measured.refusal import Fault, ReadingError, in_line, of_things, refuse, shown, too_few
 from sim.measured.sheet.beside import check_units
 from sim.measured.sheet.heads import NUMBERED, holds_times, quantity_of
@@ -59,6 +59,7 @@ def _of_table(table: Table, units: Units) -> Reading:
     wanted, kind = _wanted(table, time)
     if not wanted:
         no_accelerations(table)
+        no_unknown_unit(table)
         names = ", ".join(
             shown(f"{c.name} ({c.unit})".removesuffix(" ()")) for c in table.columns[:8]
         )
@@ -128,7 +129,6 @@ def _wanted(table: Table, time: Column) -> tuple[list[Column], Kind]:
         return _not_three(table, forces, "force"), "force"
     if not places:
         places = [c for c in others if quantity_of(c.name, c.unit)[0] == "pos" and c.unit]
-        places = places if len(places) == 2 else []
     if not places and forces:  # the other sensor may stand in a file of its own
         return forces, "force"
     if not places and len(others) == 2:

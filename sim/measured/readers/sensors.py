@@ -28,7 +28,7 @@ from sim.measured.units import Kind, Units, factor, plain_unit
 from sim.scene.quantity import SPEED
 from sim.scene.said import said
 
-_HEAD = re.compile(r"(velocity|acceleration|geschwindigkeit)[^\n]{0,40}\(", re.I)
+_HEAD = re.compile(r"(velocity|acceleration|geschwindigkeit)[^\n]{0,40}(?:\(|\bin\b)", re.I)
 
 
 def claims(text: str) -> bool:

@@ -14,6 +14,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
+from unicodedata import decimal
 
 from sim.measured.refusal import refuse
 from sim.measured.sheet.commas import MINUS, with_decimal_commas
@@ -35,6 +36,7 @@ are a tenth of it."""
 
 _MINUS = str.maketrans(dict.fromkeys(MINUS, "-"))
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?", re.ASCII)
+_OTHER_POINT = re.compile(r"(?<=\d)[．٫](?=\d)")
 _DATED = re.compile(r"(\d[-/.]\d+[-/.]\d\d+),? +(?=\d+:\d+:)")
 _BESIDE = re.compile(r", |[,.]\S*[,.]")
 _NAMES = {
@@ -95,6 +97,7 @@ def decoded(content: bytes) -> str:
 def rows_of(text: str) -> Rows:
     """The text as rows of cells."""
     text = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
+    text = text if text.isascii() else with_our_digits(text)
     lines = _DATED.sub(r"\1T", text).split("\n")  # a date and its time are one cell
     if len(lines) > MOST_LINES:
         raise refuse(
@@ -116,6 +119,7 @@ def rows_of(text: str) -> Rows:
     separator = _separator([line for _, line in filled])
     cells = [_cells(k, line, separator) for k, line in filled]
     cells = with_decimal_commas(cells) if separator == "," else cells
+    cells = _wide_apart(filled, cells) if separator == " " else cells
     if upright := stood_up(cells):
         return Rows(tuple(CellRow(filled[0][0], row) for row in upright), separator)
     rows = tuple(CellRow(k, row) for (k, _), row in zip(filled, cells, strict=True))
@@ -128,6 +132,25 @@ def rows_of(text: str) -> Rows:
             )
             raise refuse(row.line, reason, said("export only t and x of the two carts"))
     return Rows(rows, separator)
+
+
+def with_our_digits(text: str) -> str:
+    """Numbers of other scripts, and of keyboards whose signs are twice as wide, as ours."""
+    signs = {ord(c): str(decimal(c)) for c in set(text) if not c.isascii() and c.isdecimal()}
+    return _OTHER_POINT.sub(".", text.translate(signs)) if signs else text
+
+
+def _wide_apart(
+    lines: Sequence[tuple[int, str]], cells: Sequence[tuple[str, ...]]
+) -> list[tuple[str, ...]]:
+    """Rows that two or more spaces part into as many cells as numbers have: heads like “t (s)”."""
+    widths = [len(row) for row in cells if row and all(map(is_number, row))]
+    usual = max(set(widths), key=widths.count, default=0)
+    apart = [tuple(re.split(r"\s{2,}", line.strip())) for _, line in lines]
+    return [
+        wide if len(row) != usual == len(wide) > 1 else row
+        for row, wide in zip(cells, apart, strict=True)
+    ]
 
 
 def _separator(lines: Sequence[str]) -> str:

@@ -10,7 +10,7 @@ import re
 from typing import Literal
 
 from sim.measured.units import of_acceleration, plain_unit
-from sim.scene.quantity import LENGTH, SPEED, TIME_READ
+from sim.scene.quantity import LENGTH_READ, SPEED, TIME_READ
 
 Quantity = Literal["time", "pos", "vel", "acc"]
 
@@ -25,9 +25,9 @@ WORDS: dict[Quantity, str] = {
     "acc": "a|acc|acceleration|beschleunigung|accélération|aceleración|accelerazione|aceleração|"
     "versnelling|acceleratie|przyspieszenie|ускорение|加速度|pecutan|முடுக்கம்",
 }
-SPEED_UNITS = r"(?:[cm]?m/s|km/h)"
+SPEED_UNITS = r"(?:[cm]?m(?:/s|[\s·⋅*.]*s(?:\^?[-−]1|⁻¹))|km/h)"
 _SPEED_HEAD = re.compile(
-    rf"[(\[/（]\s*{SPEED_UNITS}(?:[\^²2]{{1,3}})?\s*[)\]）]?\s*(?:\w{{1,8}}\s*)?"
+    rf"(?:[(\[/（]|\bin\b)\s*{SPEED_UNITS}(?:[\^²2]{{1,3}})?\s*[)\]）]?\s*(?:\w{{1,8}}\s*)?"
     r"(?:[\t;,|\"]|$|Run)",
     re.I,
 )
@@ -108,7 +108,7 @@ def _by_unit(unit: str) -> Quantity | None:
         return None
     if unit in TIME_READ.units:
         return "time"
-    if unit in LENGTH.units:
+    if unit in LENGTH_READ.units:
         return "pos"
     if unit in SPEED.units:
         return "vel"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 MAX_DECIMALS = 12
 SLOW = 0.01  # m/s; scenes with no greater speed speak of mm/s
 
@@ -14,6 +16,12 @@ def exponent(value: float) -> int:
 def decimals_for(scale: float, figures: int = 3) -> int:
     """Decimals that show a value as large as `scale` with so many figures."""
     return min(MAX_DECIMALS, max(0, figures - 1 - exponent(scale)))
+
+
+def decimals_for_all(scales: Sequence[float]) -> int:
+    """Three figures of the largest value, and one of the smallest; six of the largest at most."""
+    least = decimals_for(min(scales), 1)
+    return max(decimals_for(max(scales)), min(least, decimals_for(max(scales), 6)))
 
 
 def speed_unit(scale: float) -> tuple[float, str]:

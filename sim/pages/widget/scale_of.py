@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sim.pages.widget.effects_scale import greatest_force, kept_apart
-from sim.pages.widget.numbers import decimals_for, exponent, speed_unit
+from sim.pages.widget.numbers import decimals_for, decimals_for_all, exponent, speed_unit
 from sim.pages.widget.reach import Reach, picture_window, reaches
 from sim.pages.widget.run import Run
 from sim.scene.fence.controls import Control
@@ -62,14 +62,14 @@ def read_scales(
     force = full_scale(force) if force > 0 else 0.0
     per = speed_unit(velocity)[0]
     decimals = {
-        "t": 3,
+        "t": min(6, max(3, decimals_for(header["until"]))),
         "x": min(6, max(3, decimals_for(velocity))),
         "v": decimals_for(velocity / per, 3 if per == 1 else 2),
         "a": decimals_for((force or lightest) / lightest),
         "F": decimals_for(force or 1.0),
         "R": decimals_for(force or 1.0),
-        "p": decimals_for(velocity * max(b["mass"] for b in header["bodies"])),
-        "energy": decimals_for(velocity**2 * max(b["mass"] for b in header["bodies"]) / 2),
+        "p": decimals_for_all([velocity * b["mass"] for b in header["bodies"]]),
+        "energy": decimals_for_all([velocity**2 * b["mass"] / 2 for b in header["bodies"]]),
     }
     seen = [
         {"bodies": [{**b, "velocity": b["velocity"] - camera} for b in variant["bodies"]]}

@@ -94,9 +94,8 @@
   function short(value, figures2 = 3) {
     const power2 = exponent(value);
     if (value && (power2 <= -4 || power2 >= 6)) {
-      const mantissa = trim(fixed(value / Number(`1e${power2}`), figures2 - 1));
-      const carried = mantissa.endsWith("10");
-      return `${carried ? mantissa.slice(0, -1) : mantissa} × 10${superscript(power2 + Number(carried))}`;
+      const [digits = "", tens] = Math.abs(value).toExponential(figures2 - 1).split("e");
+      return `${value < 0 ? "−" : ""}${trim(digits)} × 10${superscript(Number(tens))}`;
     }
     return trim(fixed(value, Math.max(0, figures2 - 1 - power2)));
   }

@@ -34,9 +34,8 @@
   function short(value2, figures = 3) {
     const power = exponent(value2);
     if (value2 && (power <= -4 || power >= 6)) {
-      const mantissa = trim(fixed(value2 / Number(`1e${power}`), figures - 1));
-      const carried = mantissa.endsWith("10");
-      return `${carried ? mantissa.slice(0, -1) : mantissa} × 10${superscript(power + Number(carried))}`;
+      const [digits = "", tens] = Math.abs(value2).toExponential(figures - 1).split("e");
+      return `${value2 < 0 ? "−" : ""}${trim(digits)} × 10${superscript(Number(tens))}`;
     }
     return trim(fixed(value2, Math.max(0, figures - 1 - power)));
   }

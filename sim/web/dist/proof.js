@@ -45,9 +45,8 @@
   function short(value, figures = 3) {
     const power = exponent(value);
     if (value && (power <= -4 || power >= 6)) {
-      const mantissa = trim(fixed(value / Number(`1e${power}`), figures - 1));
-      const carried = mantissa.endsWith("10");
-      return `${carried ? mantissa.slice(0, -1) : mantissa} × 10${superscript(power + Number(carried))}`;
+      const [digits = "", tens] = Math.abs(value).toExponential(figures - 1).split("e");
+      return `${value < 0 ? "−" : ""}${trim(digits)} × 10${superscript(Number(tens))}`;
     }
     return trim(fixed(value, Math.max(0, figures - 1 - power)));
   }

@@ -84,7 +84,7 @@ def test_where_none_touch_that_is_what_is_said() -> None:
 
 
 def test_a_contact_that_the_run_ends_in_has_no_mean_force() -> None:
-    """Its greatest force passes before: that is no parting, nor are the velocities then the last."""
+    """Its greatest force passes before: that is no parting, and the velocities are not the last."""
     means, why = found(contact={"restitution": 1, "stiffness": 5}, until=1.75)
     assert means == {}
     assert why

@@ -68,7 +68,8 @@ def serving(folder: Path) -> Iterator[Network]:
         def do_GET(self) -> None:
             name = self.path.rpartition("/")[2].partition("?")[0]
             if "/runtime/" not in self.path:
-                return super().do_GET()
+                super().do_GET()
+                return
             state.wait(name)
             if state.is_among(state.drops, name):
                 self.send_error(503)

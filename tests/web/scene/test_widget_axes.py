@@ -137,3 +137,19 @@ def test_the_only_wall_has_one_name_in_the_whole_widget() -> None:
     text = render(*baked({**MEETING, "id": "wall", "track": track, "until": "12 s"}))
     assert "on B by the wall" in text
     assert "right wall" not in text and "by wall" not in text
+
+
+def test_a_short_run_has_decimals_of_its_time_and_a_light_cart_of_its_momentum() -> None:
+    """The greatest force came “at 0.001 s” of 0.002 s, and 0.0081 kg m/s were 0."""
+    carts = {
+        "A": {"mass": "50 kg", "position": "0.1 m", "velocity": "2 m/s"},
+        "B": {"mass": "2.7 g", "position": "0.3005 m"},
+    }
+    fence, header, numbers = baked(
+        {"id": "quick", "carts": carts, "contact": {"stiffness": "2e7 N/m"}, "until": "2 ms"}
+    )
+    decimals = read_scales(header, fence.controls, from_wire(header, numbers), 0.0).decimals
+    assert (decimals["t"], decimals["p"]) == (5, 3)
+    fence, header, numbers = baked(MEETING)
+    decimals = read_scales(header, fence.controls, from_wire(header, numbers), 0.0).decimals
+    assert (decimals["t"], decimals["p"]) == (3, 2)

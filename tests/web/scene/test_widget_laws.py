@@ -117,7 +117,7 @@ def test_the_energy_ledger_adds_up_and_ends_as_the_program_counts(
 
 
 def test_what_bumpers_hold_as_a_run_ends_has_not_warmed_them() -> None:
-    """Elastic ones gave back what had "warmed" them; what never springs back is warm at its peak."""
+    """Elastic ones gave back what "warmed" them; what never springs back is warm at its peak."""
     carts = {
         "A": {"mass": 1, "position": 0.3, "velocity": 1},
         "B": {"mass": 1, "position": 0.7},

@@ -33,7 +33,8 @@ def test_a_number_has_its_decimals_rounded_half_away_from_zero_and_no_minus_zero
     ("value", "text"),
     [(0, "0"), (0.5, "0.5"), (1.25, "1.25"), (0.9996, "1"), (12345.678, "12346"), (-2, "−2"),
      (1.5e9, "1.5 × 10⁹"), (-3e-7, "−3 × 10⁻⁷"), (1e6, "1 × 10⁶"),
-     (0.000125, "1.25 × 10⁻⁴"), (9.999e-5, "1 × 10⁻⁴"), (-9.996e8, "−1 × 10⁹")],
+     (0.000125, "1.25 × 10⁻⁴"), (9.999e-5, "1 × 10⁻⁴"), (-9.996e8, "−1 × 10⁹"),
+     (5e-324, "4.94 × 10⁻³²⁴")],
 )  # fmt: skip
 def test_a_short_number_has_three_figures_and_no_zeros_behind(value: float, text: str) -> None:
     assert in_node('give((await import(view + "/numbers.js")).short(data));', value) == text
