@@ -9,7 +9,7 @@ from sim.measured.tracks import read_measured
 from sim.measured.units import Units, head
 from tests.measured.device_reports import LOGGED
 from tests.measured.devices import phone, sensor_carts
-from tests.measured.written_films import A, B, T, is_the_film, table
+from tests.measured.written_films import is_the_film, table
 
 G = 9.80665
 LOG = sensor_carts(LOGGED).removeprefix("\ufeff").replace('"', "")
