@@ -26,7 +26,9 @@ export function decimalsFor(scale, figures = 3) {
 export function short(value, figures = 3) {
   const power = exponent(value);
   if (value && (power <= -4 || power >= 6)) {
-    const [digits = "", tens] = Math.abs(value).toExponential(figures - 1).split("e");
+    const [digits = "", tens] = Math.abs(value)
+      .toExponential(figures - 1)
+      .split("e");
     return `${value < 0 ? "−" : ""}${trim(digits)} × 10${superscript(Number(tens))}`;
   }
   return trim(fixed(value, Math.max(0, figures - 1 - power)));
