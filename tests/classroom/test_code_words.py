@@ -101,7 +101,8 @@ def test_a_code_word_in_tamil_is_taken_whole() -> None:
         const { readCode } = await import(source + "/answers/codes.js");
         const { fileName } = await import(source + "/answers/file.js");
         const { code } = readCode(data);
-        give([code, fileName("third-law", "pre", code, "json")]);""",
+        const content = { lesson: "third-law", form: "pre", student: code, created: "" };
+        give([code, fileName(content, "json")]);""",
         "நீலம் நரி 27",
     )
     assert taken == "நீலம்-நரி-27"

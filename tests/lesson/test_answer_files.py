@@ -89,6 +89,22 @@ def test_two_lessons_with_a_number_sign_give_two_files_that_page_and_teacher_rea
     ]  # fmt: skip
 
 
+def test_files_of_two_students_without_a_code_word_lie_side_by_side_in_a_folder() -> None:
+    """Both were called “no-code”: on the stick that goes round the second took the place of the
+    first. Who saves once more has the same name."""
+    script = """const { makeFiles } = await import(source + "/answers/file.js");
+    const name = (first, student, now) => makeFiles([["p#why", { id: "why", hash: "", type: "free",
+      value: "so", first, last: first, tries: 1 }]], { site: "tests", student }, now)[0].name;
+    give([name("2026-11-21T09:00:00.250Z", "", "2026-11-21T09:30:00.000Z"),
+      name("2026-11-21T09:00:00.250Z", "", "2026-11-22T10:00:00.000Z"),
+      name("2026-11-21T09:00:04.000Z", "", "2026-11-21T09:30:00.000Z"),
+      name("2026-11-21T09:00:04.000Z", "BLUE-FOX-27", "2026-11-21T09:30:00.000Z")]);"""
+    first, again, other, coded = in_node(script, None)
+    assert first == again == "p.worksheet.no-code-1121-090000.carts.json"
+    assert other == "p.worksheet.no-code-1121-090004.carts.json"
+    assert coded == "p.worksheet.BLUE-FOX-27.carts.json"
+
+
 def test_damaged_files_are_refused_in_words() -> None:
     for what, text in DAMAGED.items():
         with pytest.raises(AnswerFileError) as refused:

@@ -26,7 +26,7 @@ def _prediction(row: Row, tell: Tell) -> str:
     if row["curves"]:
         parts.append(f"<figure>{curves(row['curves'], tell)}</figure>")
     cells = [
-        [tell(one["said"]), str(one["count"]), str(one["sure"]) if one["sure"] else "–"]
+        [tell(one["said"]), str(one["count"]), str(one["sure"]) if row["asked_sure"] else "–"]
         for one in row["answers"]
     ]
     if cells:

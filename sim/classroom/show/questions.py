@@ -55,11 +55,10 @@ def _overview(items: Sequence[Row], tell: Tell) -> str:
         wrong = [c for c in item["choices"] if not c.get("correct") and c["count"] > 1]
         most = max(wrong, key=lambda c: c["count"], default=None) if item["worth"] else None
         chosen = f"{tell(most['label'])} ({most['count']})" if most else ""
-        sure = f"{item['sure']['right']} / {item['sure']['wrong']}" if item["sure"] else "–"
         numbers = ("difficulty", "discrimination", "point_biserial")
         rows.append([
             tell(item["label"]), tell(_right(item)),
-            "–" if item.get("optional") else str(item["empty"]), sure,
+            "–" if item.get("optional") else str(item["empty"]), tell(_sure(item)),
             *("–" if item[n] is None else number(item[n]) for n in numbers),
             chosen, tell(most.get("says", "") if most else ""),
         ])  # fmt: skip
@@ -71,6 +70,15 @@ OVERVIEW = (
     template("sure: right / wrong"), template("difficulty"), template("discrimination"), "r",
     template("chosen most, wrong"), OFTEN_THINK,
 )  # fmt: skip
+
+
+def _sure(item: Row) -> str:
+    """How many were sure; of what is neither right nor wrong as one number."""
+    if not item["sure"]:
+        return "–"
+    if item["worth"]:
+        return f"{item['sure']['right']} / {item['sure']['wrong']}"
+    return said("{n} in all", n=f"{sum(choice['sure'] for choice in item['choices'])}")
 
 
 def _right(item: Row) -> str:

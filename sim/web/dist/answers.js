@@ -960,12 +960,13 @@
         ...state?.handed ? { handed: state.handed, code: state.code ?? "" } : {},
         items: kept.filter((entry) => entry.type !== "form").flatMap(items)
       };
-      return { lesson, form: form2, page, name: fileName(lesson, form2, student, "carts.json"), content };
+      return { lesson, form: form2, page, name: fileName(content, "carts.json"), content };
     });
   }
-  function fileName(lesson, form2, student, ending) {
+  function fileName({ lesson, form: form2, student, created }, ending) {
     const safe = (text) => text.replace(/[^\p{L}\p{M}\p{N}+_-]+/gu, "-").slice(0, 80);
-    return `${safe(lesson)}.${form2}.${safe(student) || "no-code"}.${ending}`;
+    const begun = created.slice(5, 19).replace(/[^\dT]/g, "").replace("T", "-");
+    return `${safe(lesson)}.${form2}.${safe(student) || `no-code-${begun}`}.${ending}`;
   }
   function items(entry) {
     const all = [...entry.earlier ?? [], entry];
@@ -1214,11 +1215,7 @@
       const csv = button(
         tr("Table (CSV)"),
         () => {
-          download(
-            fileName(file.lesson, file.form, book2.student, "csv"),
-            csvText(file.content),
-            "text/csv"
-          );
+          download(fileName(file.content, "csv"), csvText(file.content), "text/csv");
           say(told2, tr("Saved. A spreadsheet program opens it."));
         },
         "carts-answers-csv"

@@ -59,15 +59,16 @@ export function makeFiles(entries, { site, student }, now) {
       ...(state?.handed ? { handed: state.handed, code: state.code ?? "" } : {}),
       items: kept.filter((entry) => entry.type !== "form").flatMap(items),
     };
-    return { lesson, form, page, name: fileName(lesson, form, student, "carts.json"), content };
+    return { lesson, form, page, name: fileName(content, "carts.json"), content };
   });
 }
 
-/** @param {string} lesson @param {string} form @param {string} student @param {string} ending */
-export function fileName(lesson, form, student, ending) {
+/** Without a code word by when it was begun: in one folder no file takes the place of another. @param {{lesson: string, form: string, student: string, created: string}} content @param {string} ending */
+export function fileName({ lesson, form, student, created }, ending) {
   const safe = (/** @type {string} */ text) =>
     text.replace(/[^\p{L}\p{M}\p{N}+_-]+/gu, "-").slice(0, 80);
-  return `${safe(lesson)}.${form}.${safe(student) || "no-code"}.${ending}`;
+  const begun = created.slice(5, 19).replace(/[^\dT]/g, "").replace("T", "-");
+  return `${safe(lesson)}.${form}.${safe(student) || `no-code-${begun}`}.${ending}`;
 }
 
 /** An answer and those to earlier versions of its question. @param {any} entry @returns {any[]} */

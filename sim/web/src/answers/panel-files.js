@@ -73,11 +73,7 @@ function rows(book, told, draw) {
     const csv = button(
       tr("Table (CSV)"),
       () => {
-        download(
-          fileName(file.lesson, file.form, book.student, "csv"),
-          csvText(file.content),
-          "text/csv",
-        );
+        download(fileName(file.content, "csv"), csvText(file.content), "text/csv");
         say(told, tr("Saved. A spreadsheet program opens it."));
       },
       "carts-answers-csv",
