@@ -67,7 +67,10 @@ export function makeFiles(entries, { site, student }, now) {
 export function fileName({ lesson, form, student, created }, ending) {
   const safe = (/** @type {string} */ text) =>
     text.replace(/[^\p{L}\p{M}\p{N}+_-]+/gu, "-").slice(0, 80);
-  const begun = created.slice(5, 19).replace(/[^\dT]/g, "").replace("T", "-");
+  const begun = created
+    .slice(5, 19)
+    .replace(/[^\dT]/g, "")
+    .replace("T", "-");
   return `${safe(lesson)}.${form}.${safe(student) || `no-code-${begun}`}.${ending}`;
 }
 
