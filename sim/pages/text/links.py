@@ -73,9 +73,12 @@ def _joins(place: Path, folder: Path, lesson: Lesson) -> bool:
 
 
 def _root(folder: Path, lesson: Lesson) -> Path:
-    """The folder that the lesson's name is counted from; `folder`: its own."""
-    depth = len(Path(lesson.file).parts) - 1
-    return folder.parents[depth - 1] if 0 < depth <= len(folder.parents) else folder
+    """The folder that the lesson's name is counted from; `folder`: its own, or the original's of a
+    translation, which is named as a page one folder further down."""
+    names = Path(lesson.file).parts[:-1]
+    depths = range(min(len(names), len(folder.parents)), 0, -1)
+    above = (folder.parents[i - 1] for i in depths if folder.parts[-i:] == names[:i])
+    return next(above, folder)
 
 
 def _places(folder: Path, target: str, lesson: Lesson) -> Iterator[Path]:
