@@ -48,6 +48,17 @@
     return [...new Set(parts)].sort().join("+");
   }
 
+  // src/class/brought-along.js
+  var STRING = /"(?:[^"\\]|\\.)*"/g;
+  var inFull = (given) => given.map((key) => {
+    if (typeof key === "string") return key;
+    let n = 0;
+    return given[key[0]].replace(STRING, (same) => {
+      const own = key[++n];
+      return typeof own === "string" ? JSON.stringify(own) : same;
+    });
+  });
+
   // src/class/nameless.js
   var Names = class {
     #given = /* @__PURE__ */ new Map();
@@ -74,13 +85,12 @@
   // src/class/classroom.js
   var WHOLE = "class";
   var [NAME, STUDENT, CREATED] = [0, 4, 6];
-  var broughtAlong = () => globalThis.__cartsKeys ?? [];
   var Classroom = class {
     files = [];
     nameless = new Names();
     // the names of files without a code word
     keys = [];
-    practice = broughtAlong();
+    practice = inFull(globalThis.__cartsKeys ?? []);
     marks = /* @__PURE__ */ new Map();
     refused = [];
     codes = ["", ""];

@@ -2,6 +2,7 @@
 
 import { tr } from "../../../view/language.js";
 import { codeWord } from "../shared/code-word.js";
+import { inFull } from "./brought-along.js";
 import { Names } from "./nameless.js";
 
 /** @typedef {any[]} Row a file as Python handed it over: name, site, lesson, …, see sim/classroom/files/records.py */
@@ -13,9 +14,6 @@ import { Names } from "./nameless.js";
 export const WHOLE = "class";
 const [NAME, STUDENT, CREATED] = [0, 4, 6]; // places in a row, see sim/classroom/files/records.py
 
-/** @returns {string[]} see sim/pages/classroom/practice_keys.py */
-const broughtAlong = () => /** @type {any} */ (globalThis).__cartsKeys ?? [];
-
 export class Classroom {
   /** @type {Held[]} */
   files = [];
@@ -23,7 +21,7 @@ export class Classroom {
   /** @type {string[]} the texts of key files */
   keys = [];
   /** @type {string[]} the same for what can be practised: this site brings them along */
-  practice = broughtAlong();
+  practice = inFull(/** @type {any} */ (globalThis).__cartsKeys ?? []);
   /** @type {Map<string, GivenMark>} */
   marks = new Map();
   /** @type {[string, string][]} */
