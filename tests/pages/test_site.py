@@ -14,7 +14,7 @@ import pytest
 pytestmark = pytest.mark.slow  # builds the site
 
 MOST_WITHOUT_RUNTIME = 461_000  # bytes as gzip, everything that such a page loads, with the words
-# of all pages for the search: lessons in four languages brought those to 97 kB (460.3 kB)
+# of all pages for the search: ten lessons in four languages brought those to 96 kB (460.6 kB)
 USUAL_FORMULA_FONTS = ("Main-Bold", "AMS-Regular")  # beside those within the style sheet
 MOST_HTML_PER_SCENE = 61_000  # bytes; graphs have a number on each side of zero
 MOST_HTML_PER_MAP = 40_000

@@ -24,8 +24,8 @@ def name(source: Source) -> str:
     return f"{source.language}-{source.path.stem}"
 
 
-def test_seven_lessons_and_their_banks_are_there_in_three_languages() -> None:
-    assert len(SOURCES) == 27
+def test_ten_lessons_and_their_banks_are_there_in_three_languages() -> None:
+    assert len(SOURCES) == 36
     assert all(source.path.is_file() for source in SOURCES)
 
 
@@ -81,6 +81,15 @@ def test_lessons_name_what_readers_press_as_the_page_names_it(language: str) -> 
     box = words(language)["The forces are hidden. Find those on both carts, and you see them all"]
     called = re.split("[.。]", box)[0]
     assert any(called in said for text, said in third.items() if "*The forces are hidden*" in text)
+    buttons = {
+        "momentum-and-restitution": ("Reset all values", "as a ledger"),
+        "real-carts": ("Fit the model", "Compare with friction and tilt", "Follow"),
+    }
+    for lesson, named in buttons.items():
+        said_of = read_words(FOLDER / "words" / language / f"{lesson}.po", "").words
+        for button in named:
+            (said,) = (said for text, said in said_of.items() if f"*{button}*" in text)
+            assert f"*{words(language)[button]}*" in said
 
 
 def test_the_forms_of_the_returns_draw_translated_items() -> None:
