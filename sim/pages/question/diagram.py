@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from unicodedata import east_asian_width
 
 WIDTH, BOX = 320, 50  # of the picture; height of a box
 LETTER, ROOM = 7.8, 24  # width of an average letter, and what a box has beside its name
@@ -44,7 +45,12 @@ def diagram(names: Sequence[str]) -> Diagram:
     """The blank diagram of two to six objects."""
     places = PLACES[len(names)]
     boxes = tuple(
-        Box(name, x, y, max(60, round(ROOM + LETTER * len(name))))
+        Box(name, x, y, max(60, round(ROOM + LETTER * _letters(name))))
         for name, (x, y) in zip(names, places, strict=True)
     )
     return Diagram(boxes, max(y for _, y in places) + BOX // 2 + 5)
+
+
+def _letters(name: str) -> int:
+    """How many average letters a name is as wide as: a Chinese character is as wide as two."""
+    return sum(2 if east_asian_width(one) in "WF" else 1 for one in name)

@@ -155,6 +155,13 @@ def test_boxes_of_the_longest_names_stand_apart_and_inside(count: int) -> None:
             assert beside or abs(one.y - other.y) > BOX
 
 
+def test_a_box_is_as_wide_as_its_name_in_chinese() -> None:
+    """Five characters of 14 px stood out of the box of five letters."""
+    upper, lower = diagram(["上面的磁铁", "书"]).boxes
+    assert upper.width >= 5 * 14 + 2 * 6
+    assert lower.width == diagram(["book", "red"]).boxes[1].width
+
+
 @pytest.mark.parametrize(
     ("wrong", "code"),
     [
