@@ -20,6 +20,8 @@ from playwright.sync_api import Page, expect
 from tests.hosting.conftest import ROOT, Installed
 from tests.web.conftest import OpenPage
 
+pytestmark = [pytest.mark.browser, pytest.mark.one_browser]  # Firefox: test_pack, test_single_file
+
 TEACHER = ROOT / "docs" / "teachers" / "install.md"
 HOST = ROOT / "docs" / "hosting" / "index.md"
 
@@ -43,13 +45,13 @@ def follow(guide: Path, installed: Installed, folder: Path) -> Path:
     return folder
 
 
-@pytest.fixture(scope="session")  # else made anew for the second browser, long after the first
+@pytest.fixture(scope="module")
 def taught(installed: Installed, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The site of a teacher who followed the guide in an empty folder."""
     return follow(TEACHER, installed, tmp_path_factory.mktemp("teacher"))
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def given(taught: Path, installed: Installed) -> Path:
     """The zip that the administrator gets, and finds to be what the teacher built."""
     build = follow(HOST, installed, taught) / "build"
@@ -69,7 +71,6 @@ def live(page: Page) -> None:
     expect(scene).to_have_attribute("data-state", "live", timeout=60_000)
 
 
-@pytest.mark.browser
 def test_a_teachers_zip_opens_on_another_machine(
     taught: Path, open_page: OpenPage, tmp_path: Path
 ) -> None:
@@ -83,9 +84,8 @@ def test_a_teachers_zip_opens_on_another_machine(
     live(page)
 
 
-@pytest.mark.browser
 def test_a_teachers_single_file_is_a_whole_lesson(
-    taught: Path, open_page: OpenPage, tmp_path: Path, browser_name: str
+    taught: Path, open_page: OpenPage, tmp_path: Path
 ) -> None:
     place = unpacked(taught / "build" / "lessons.single.zip", tmp_path / "mail")
     lesson = tmp_path / "alone" / "two-trains.html"
@@ -96,8 +96,6 @@ def test_a_teachers_single_file_is_a_whole_lesson(
     expect(page.get_by_role("button", name="My answers")).to_be_visible()
 
 
-@pytest.mark.one_browser
-@pytest.mark.browser
 def test_an_administrators_zip_works_under_a_sub_path(
     given: Path, open_page: OpenPage, tmp_path: Path, site_server: Callable[[Path], str]
 ) -> None:

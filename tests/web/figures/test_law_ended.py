@@ -26,6 +26,7 @@ def force(overlap, rate):
 """
 
 
+@pytest.mark.one_browser
 def test_a_law_that_takes_too_long_is_ended_and_told_and_the_text_stays(
     open_page: OpenPage, bench: Path
 ) -> None:

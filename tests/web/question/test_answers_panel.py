@@ -67,6 +67,7 @@ def test_a_file_counts_as_the_line_at_the_foot_does_and_says_what_is_more(
     expect(held).not_to_contain_text("8 answers")
 
 
+@pytest.mark.one_browser
 def test_a_student_sees_nobody_elses_answers(open_page: OpenPage, question_site: Path) -> None:
     page = ready(open_page(question_site / "kinds.html"))
     page.locator("#why textarea").fill("from somebody")

@@ -42,6 +42,7 @@ def test_the_first_answer_asks_the_browser_once_and_only_one_that_asks_nobody(
     assert page.evaluate("window.asked") == (0 if browser_name == "firefox" else 1)
 
 
+@pytest.mark.one_browser
 def test_nobody_is_asked_to_let_a_folder_stay(open_page: OpenPage, question_site: Path) -> None:
     page = open_page(question_site / "kinds.html")
     page.add_init_script(COUNTED)

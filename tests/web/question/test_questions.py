@@ -41,6 +41,7 @@ def test_every_kind_of_answer_is_kept_and_comes_back(
     expect(page.locator("#how-sure").get_by_label("I am sure")).to_be_checked()
 
 
+@pytest.mark.one_browser
 def test_the_file_holds_every_answer_for_people_and_programs(
     open_page: OpenPage, question_site: Path
 ) -> None:

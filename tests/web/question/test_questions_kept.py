@@ -43,6 +43,7 @@ def test_two_tabs_show_the_same_answers_and_lose_none(
     expect(page.locator("#resultant input")).to_have_value("right 4")
 
 
+@pytest.mark.one_browser
 def test_answers_that_are_cleared_in_one_tab_are_gone_in_the_other(
     open_page: OpenPage, question_site: Path
 ) -> None:
@@ -93,6 +94,7 @@ UNLISTED = (
 )
 
 
+@pytest.mark.one_browser
 def test_a_store_that_cannot_be_read_is_told_and_nothing_is_written_over_what_is_there(
     open_page: OpenPage, question_site: Path
 ) -> None:
@@ -114,12 +116,14 @@ ENDLESS = """Object.defineProperty(IDBTransaction.prototype, 'oncomplete', { set
   window.setTimeout = (does, ms, ...more) => later(does, ms === 4000 ? 500 : ms, ...more);"""
 
 
+@pytest.mark.one_browser
 def test_a_write_that_never_ends_is_told(open_page: OpenPage, question_site: Path) -> None:
     page = again_with(open_page(question_site / "kinds.html"), ENDLESS)
     page.locator("#why textarea").fill("on its way")
     expect(page.locator("#why .carts-q-saved")).to_have_text("Not saved")
 
 
+@pytest.mark.one_browser
 def test_one_text_that_is_cut_short_hides_none_of_the_others(
     open_page: OpenPage, question_site: Path
 ) -> None:
@@ -143,6 +147,7 @@ def test_without_a_database_answers_are_kept_as_texts(
     expect(page.locator("#why textarea")).to_have_value("kept")
 
 
+@pytest.mark.one_browser
 def test_what_was_kept_as_text_while_the_database_was_closed_comes_back_with_it(
     open_page: OpenPage, question_site: Path
 ) -> None:
@@ -163,6 +168,7 @@ def test_what_was_kept_as_text_while_the_database_was_closed_comes_back_with_it(
     assert first.evaluate("() => Object.keys(localStorage).filter((k) => k.includes('#'))") == []
 
 
+@pytest.mark.one_browser
 def test_answers_to_a_changed_question_are_shown_beside_the_new_one(
     open_page: OpenPage, question_site: Path, tmp_path: Path
 ) -> None:

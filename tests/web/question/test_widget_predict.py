@@ -16,6 +16,7 @@ pytestmark = pytest.mark.browser
 __all__ = ["widget_site"]  # a fixture
 
 
+@pytest.mark.one_browser
 def test_nothing_is_told_before_the_lock(shared_page: SharePage, widget_site: Path) -> None:
     page = live(shared_page(widget_site / "arrows.html"), "arrows")
     told = on_scene(

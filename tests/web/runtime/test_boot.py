@@ -98,6 +98,7 @@ def test_a_damaged_snapshot_means_the_plain_way(open_page: OpenPage, broken_site
     assert result["header"]["ok"] is True
 
 
+@pytest.mark.one_browser
 def test_a_snapshot_of_another_pyodide_means_the_plain_way(
     open_page: OpenPage, broken_site: Path
 ) -> None:

@@ -67,6 +67,7 @@ def test_a_worker_refused_by_the_policy_is_told(open_page: OpenPage, boot_site: 
     assert result["waited"] < TOLD_WITHIN
 
 
+@pytest.mark.one_browser
 @pytest.mark.parametrize(
     ("lost", "reason"), [("WebAssembly", "no-wasm"), ("DecompressionStream", "too-old")]
 )
@@ -80,6 +81,7 @@ def test_an_older_browser_is_told(
     assert result["waited"] < TOLD_WITHIN
 
 
+@pytest.mark.one_browser
 def test_a_worker_that_dies_while_it_starts_is_told(open_page: OpenPage, boot_site: Path) -> None:
     """First that it takes long, as of a computer that is only slow; then that it is given up."""
     (boot_site / "dying.js").write_text(

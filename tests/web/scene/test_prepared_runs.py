@@ -105,6 +105,7 @@ def test_without_python_a_slider_leaves_the_boxes_to_tick_as_they_are(
     expect(box).not_to_be_checked()
 
 
+@pytest.mark.one_browser
 def test_without_python_what_was_not_prepared_is_refused_and_the_run_stays(
     open_page: OpenPage, prepared_site: Path
 ) -> None:

@@ -135,6 +135,7 @@ def test_a_reader_goes_back_at_once_and_forth_as_far_as_was_seen(watched: Page) 
     expect(watched.locator(".carts-events li").last).to_contain_text("End of the run")
 
 
+@pytest.mark.one_browser
 def test_after_the_lock_it_plays_by_itself_and_is_compared_at_its_end(
     shared_page: SharePage, widget_site: Path
 ) -> None:

@@ -155,6 +155,7 @@ def test_a_missing_runtime_is_said_and_the_baked_run_plays(
     assert refused
 
 
+@pytest.mark.one_browser
 def test_an_older_browser_plays_the_baked_run_and_says_one_sentence(
     open_page: OpenPage, widget_site: Path
 ) -> None:

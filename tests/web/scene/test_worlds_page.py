@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
-from tests.web.scene.given.widget_site import AT_REST
+from tests.web.site.pages_of import DRAWN
 
 pytestmark = pytest.mark.browser
 
@@ -95,5 +95,5 @@ def test_what_a_world_shows_goes_when_the_values_of_its_scene_change(
     assert any("0.200 → 0.200 N s\t0.200 → 0.200 N s" in row for row in rows), rows
     expect(worlds.locator(".carts-worlds-broken li")).to_contain_text("nothing breaks")
     scene.evaluate('(el) => el.set({ "A.mass": 0.5 })')  # the same values once more
-    worlds.evaluate(AT_REST)
+    page.evaluate(DRAWN)
     expect(worlds.locator("figure")).to_have_count(2)

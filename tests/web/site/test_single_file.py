@@ -115,6 +115,7 @@ def alone(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "alone"
 
 
+@pytest.mark.one_browser
 @pytest.mark.browser
 def test_what_waits_for_a_run_waits_in_one_file_too(open_page: OpenPage, alone: Path) -> None:
     page = open_page(alone / "waits.html")
