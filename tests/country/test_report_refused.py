@@ -50,7 +50,7 @@ def test_fuzzed_tables_are_read_or_refused_and_never_break(
     tmp_path: Path, request: pytest.FixtureRequest
 ) -> None:
     """Tables with cells changed at random; `make fuzz` changes many more."""
-    count = 1_000 if request.config.getoption("--fuzz") else 10
+    count = 1_000 if request.config.getoption("--fuzz") else 5
     dice = random.Random(4)
     place = lay(tmp_path / "files", [KEY, *school_files(2, 8)])
     part = table(place) / "answers-0001.parquet"

@@ -224,8 +224,8 @@ def test_two_carts_tied_by_a_spring_run_away_for_ever() -> None:
     }
     ends = [
         followed(plain | {"until": until}, "bigger-pushes-more").run.ledger.momentum_final
-        for until in (1.5, 3.0)
+        for until in (0.75, 1.5)
     ]
-    assert ends[0] > 0.5
+    assert ends[0] > 0.25
     assert ends[1] / ends[0] == pytest.approx(2.0, rel=0.05)
-    assert run(scene(plain | {"until": 3.0})).v == pytest.approx((0.0, 0.0), abs=1e-9)
+    assert run(scene(plain | {"until": 1.5})).v == pytest.approx((0.0, 0.0), abs=1e-9)

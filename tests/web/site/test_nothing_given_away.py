@@ -96,6 +96,7 @@ def test_text_below_a_prediction_waits_for_its_run(site: Path, open_page: OpenPa
     scene = page.locator("#momentum-bounce")
     expect(scene).to_have_attribute("data-state", "live", timeout=LIVE)
     scene.evaluate("scene => scene.reveal()")
+    scene.locator(".carts-end:enabled").click()
     expect(text).to_be_visible()
     expect(line).to_be_hidden()
     index = (site / "search" / "search_index.js").read_text(encoding="utf-8")
