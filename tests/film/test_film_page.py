@@ -43,8 +43,9 @@ def broken_off() -> Filmed:
 
 
 def test_a_dropped_film_is_followed_fitted_and_shown_with_the_model(
-    benches: Path, open_page: OpenPage, film: Filmed
+    benches: Path, open_page: OpenPage, film: Filmed, browser_name: str
 ) -> None:
+    """In Firefox as far as browsers differ: its pictures, its times and its clock."""
     page = open_page(benches / "empty.html", viewport={"width": 1000, "height": 900})
     heard = listen(page)
     expect(page.locator("carts-measured[data-state=live]")).to_have_count(1, timeout=STARTS)
@@ -71,25 +72,32 @@ def test_a_dropped_film_is_followed_fitted_and_shown_with_the_model(
     count = len(film.times)
     expect(said).to_have_text(f"Followed through {count} frames. Nothing was lost.", timeout=STARTS)
     expect(page.locator(".carts-measured-said")).to_contain_text("our carts.csv", timeout=STARTS)
-    page.locator(".carts-measured-fit").click()
-    expect(page.locator(".carts-measured-known")).to_be_visible(timeout=2 * STARTS)
-    report = page.evaluate("document.querySelector('carts-measured').report")
-    assert report["outcome"] == "bounce"
-    (ratio,) = [one for one in report["known"] if one["key"] == "mass_ratio"]
-    assert ratio["low"] <= MADE.ratio <= ratio["high"]
+    if browser_name == "chromium":
+        fitted(page)
     # What is saved is what was read, at the times of the film itself.
     page.evaluate(CATCH)
     page.locator(".carts-measured-save").click()
     read = read_measured([bytes(page.evaluate(LAST)).decode("utf-8")])
     assert list(read.tracks[0].t) == pytest.approx(film.times, abs=1e-6)
-    measured_anew(page, read)
-    retype(page, "50")
+    if browser_name == "chromium":
+        measured_anew(page, read)
+        retype(page, "50")
     # The model and the film move together.
     page.locator(".carts-measured-scrub").focus()
     page.keyboard.press("End")
     expect(clock).to_have_text(f"{film.times[-1]:.3f} s")
     expect(page.locator(".carts-film-key")).to_be_visible()
     assert heard == []
+
+
+def fitted(page: Page) -> None:
+    """With the true ratio of the masses in its interval."""
+    page.locator(".carts-measured-fit").click()
+    expect(page.locator(".carts-measured-known")).to_be_visible(timeout=2 * STARTS)
+    report = page.evaluate("document.querySelector('carts-measured').report")
+    assert report["outcome"] == "bounce"
+    (ratio,) = [one for one in report["known"] if one["key"] == "mass_ratio"]
+    assert ratio["low"] <= MADE.ratio <= ratio["high"]
 
 
 @pytest.mark.one_browser

@@ -24,7 +24,13 @@ __all__ = ["question_site"]  # a fixture
 
 
 @pytest.mark.parametrize(
-    "script", [NO_DATABASE + NO_TEXT_STORE, BLOCKED, REFUSING], ids=["none", "blocked", "full"]
+    "script",
+    [
+        pytest.param(NO_DATABASE + NO_TEXT_STORE, marks=pytest.mark.one_browser),
+        BLOCKED,
+        pytest.param(REFUSING, marks=pytest.mark.one_browser),
+    ],
+    ids=["none", "blocked", "full"],
 )
 def test_where_nothing_can_be_kept_the_page_says_so_and_still_saves_a_file(
     open_page: OpenPage, question_site: Path, script: str

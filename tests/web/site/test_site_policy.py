@@ -56,7 +56,7 @@ def test_no_page_breaks_its_policy_or_jumps_on_a_desktop_from_a_server(
 def test_a_site_made_for_disks_works_from_a_server_too(
     site: Path, open_page: OpenPage, site_server: Callable[[Path], str]
 ) -> None:
-    names = ["index.html", "sandbox.html", "worksheets/newtons-first-law.html"]
+    names = ["index.html", "worksheets/newtons-first-law.html"]
     assert heard_from(site_server(site), names, open_page) == []
 
 
