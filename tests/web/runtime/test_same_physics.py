@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from playwright.sync_api import Page
 
 from sim.bridge.end_state import read
 from sim.bridge.protocol import answer
@@ -38,9 +39,15 @@ def case_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return build_site(tmp_path_factory.mktemp("cases") / "site")
 
 
-def test_every_case_gives_the_same_in_the_page(case_site: Path, open_page: OpenPage) -> None:
-    page = open_page(case_site / "index.html")
-    page.evaluate("window.booted")
+@pytest.fixture(scope="module")
+def page(case_site: Path, open_for_all: OpenPage) -> Page:
+    """One start of Python for all cases."""
+    opened = open_for_all(case_site / "index.html")
+    opened.evaluate("window.booted")
+    return opened
+
+
+def test_every_case_gives_the_same_in_the_page(page: Page) -> None:
     for name, plain in CASES.items():
         request = {"id": 1, "kind": "run", "scene": plain}
         got = page.evaluate(
@@ -62,12 +69,8 @@ def test_every_case_gives_the_same_in_the_page(case_site: Path, open_page: OpenP
             assert worst <= LAST_BITS * scale, (name, header["columns"][start // rows])
 
 
-def test_hard_cases_end_in_the_page_as_their_sources_say(
-    case_site: Path, open_page: OpenPage
-) -> None:
-    """One start of Python for all rows; only the header crosses, no drawing."""
-    page = open_page(case_site / "index.html")
-    page.evaluate("window.booted")
+def test_hard_cases_end_in_the_page_as_their_sources_say(page: Page) -> None:
+    """Only the header crosses, no drawing."""
     rows = [case for case in ALL if case.events and case.has_formulas]  # few events, no scipy
     assert len(rows) >= 40
     for case in rows:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Page, expect
 
 from tests.classroom.given.makers import random_class, sources
 from tests.web.classroom.class_site import BANK, KEY, choose
 from tests.web.conftest import OpenPage
+from tests.web.shared_page import WINDOW
+from tests.web.site.pages_of import DRAWN
 
 pytestmark = [pytest.mark.browser, pytest.mark.one_browser]
 
@@ -26,14 +29,27 @@ MANY = 4
 """Lines of a belief in words."""
 
 
-def test_the_bullets_of_what_to_talk_about_stand_clear_of_the_bar(
-    site: Path, open_page: OpenPage
-) -> None:
-    page = open_page(site / "teachers" / "class-results.html", folder=site)
+@pytest.fixture(scope="module")
+def report(site: Path, open_for_all: OpenPage) -> Page:
+    """The report on a class, whole; it is only looked at."""
+    page = open_for_all(site / "teachers" / "class-results.html", folder=site)
     expect(page.locator("carts-class[data-state=ready]")).to_have_count(1, timeout=60_000)
-    choose(page, [*sources(random_class(BANK, 12)), KEY])
-    talk = page.locator(".carts-class-talk").first
-    expect(talk).to_be_visible(timeout=60_000)
+    choose(page, [*sources(random_class(BANK, 12, prefix="BLUE-FOX")), KEY])
+    expect(page.locator("carts-class[data-state=complete]")).to_have_count(1, timeout=60_000)
+    return page
+
+
+@pytest.fixture
+def on_a_phone(report: Page) -> Iterator[Page]:
+    report.set_viewport_size({"width": 360, "height": 800})
+    report.evaluate(DRAWN)
+    yield report
+    report.set_viewport_size(WINDOW)  # type: ignore[arg-type]
+
+
+def test_the_bullets_of_what_to_talk_about_stand_clear_of_the_bar(report: Page) -> None:
+    talk = report.locator(".carts-class-talk").first
+    expect(talk).to_be_visible()
     assert float(talk.evaluate("one => parseFloat(getComputedStyle(one).paddingLeft)")) > BULLET
 
 
@@ -44,15 +60,9 @@ LINES = """cell => {
 }"""
 
 
-def test_on_a_phone_a_row_is_a_few_lines_and_a_code_word_one(
-    site: Path, open_page: OpenPage
-) -> None:
+def test_on_a_phone_a_row_is_a_few_lines_and_a_code_word_one(on_a_phone: Page) -> None:
     """Tables are pushed aside there: nothing is gained by a word, or three letters, on a line."""
-    phone = {"width": 360, "height": 800}
-    page = open_page(site / "teachers" / "class-results.html", folder=site, viewport=phone)
-    expect(page.locator("carts-class[data-state=ready]")).to_have_count(1, timeout=60_000)
-    choose(page, [*sources(random_class(BANK, 12, prefix="BLUE-FOX")), KEY])
-    expect(page.locator("carts-class[data-state=complete]")).to_have_count(1, timeout=60_000)
+    page = on_a_phone
     page.evaluate("document.querySelectorAll('details').forEach(one => one.open = true)")
     beliefs = page.locator(".carts-class-table.overview").first.locator("td:last-child")
     assert max(int(belief.evaluate(LINES)) for belief in beliefs.all()) < MANY
@@ -60,14 +70,8 @@ def test_on_a_phone_a_row_is_a_few_lines_and_a_code_word_one(
     assert int(word.evaluate(LINES)) == 1
 
 
-def test_letters_of_plots_can_be_read_on_a_phone(site: Path, open_page: OpenPage) -> None:
+def test_letters_of_plots_can_be_read_on_a_phone(on_a_phone: Page) -> None:
     """A plot is pushed aside, as a table is; the page around it stays."""
-    page = open_page(
-        site / "teachers" / "class-results.html",
-        folder=site, viewport={"width": 360, "height": 800},
-    )  # fmt: skip
-    expect(page.locator("carts-class[data-state=ready]")).to_have_count(1, timeout=60_000)
-    choose(page, [*sources(random_class(BANK, 12)), KEY])
-    expect(page.locator(".carts-class-plot").first).to_be_visible(timeout=60_000)
-    assert min(page.evaluate(LETTERS)) >= READ
-    assert page.evaluate("document.documentElement.scrollWidth") == 360
+    expect(on_a_phone.locator(".carts-class-plot").first).to_be_visible()
+    assert min(on_a_phone.evaluate(LETTERS)) >= READ
+    assert on_a_phone.evaluate("document.documentElement.scrollWidth") == 360
