@@ -72,7 +72,7 @@ def is_record(name: str) -> bool:
 
 
 def record_line(name: str) -> str:
-    """Return the line of RECORD for one file. Its hash is left out, as PEP 376 allows: a page checks
+    """The line of RECORD for one file. Its hash is left out, as PEP 376 allows: a page checks
     an archive as a whole, and what is random cannot be packed, 32 bytes a file."""
     return f"{name},,\n"
 
