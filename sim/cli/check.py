@@ -62,9 +62,9 @@ def command(
             json.dumps([finding.as_row() for finding in found], ensure_ascii=False, indent=2)
         )
     else:
-        if counted:
-            click.echo(_by_default(counted))
         report(found)
+        if counted and not any(finding.severity == "error" for finding in found):
+            click.echo(_by_default(counted))
     ctx.exit(1 if any(finding.severity == "error" for finding in found) else 0)
 
 
@@ -93,14 +93,13 @@ def _places(paths: tuple[Path, ...], root: Path) -> list[Path]:
 def _by_default(counted: list[Finding]) -> str:
     """What waits because nobody says otherwise, counted."""
     texts = sum(finding.code == TEXT for finding in counted)
-    lessons = len({finding.file for finding in counted})
-    open_text = f", the text below {texts} prediction{'s' * (texts > 1)} does not"
     waiting = len(counted) - texts
-    wait = "scene or question waits" if waiting == 1 else "scenes and questions wait"
+    opens = "1 scene or question opens" if waiting == 1 else f"{waiting} scenes and questions open"
+    told = [f"{opens} to a student who has watched the run"] if waiting else []
+    told += [f"text below {texts} prediction{'s' * (texts > 1)} is read before it"] if texts else []
     return (
-        f"{waiting} {wait} by default until a run was watched, in {lessons} "
-        f"lesson{'s' * (lessons > 1)}"
-        f"{open_text if texts else ''}: carts check --defaults lists them."
+        f"Good to know: {', and '.join(told)}. That can be changed: carts check --defaults lists "
+        "each with how."
     )
 
 

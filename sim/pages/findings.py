@@ -70,11 +70,15 @@ class AuthorError(Exception):
         super().__init__("\n".join(str(finding) for finding in self.findings))
 
 
+AUTHOR_ERROR = "carts-author-error"
+"""The class of the box below."""
+
+
 def error_box(findings: tuple[Finding, ...], title: str = "This block cannot be shown") -> str:
     """What a reader of the preview sees in the place of a block with mistakes."""
     text = html.escape("\n".join(map(str, findings)))
     return (
-        '<div class="admonition failure carts-author-error">'
+        f'<div class="admonition failure {AUTHOR_ERROR}">'
         f'<p class="admonition-title">{title}</p>'
         f"<pre><code>{text}</code></pre></div>"
     )

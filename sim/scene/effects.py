@@ -71,12 +71,23 @@ class EffectKind:
     called: str = ""  # in sentences: “Not simulated: a slope”; left out: the name
     switch: str = ""  # on its switch; left out: as it is called
     agent: str = ""  # who pushes, in “force on A by the air”; empty: `by`, or the other of the two
+    everyday: tuple[str, ...] = ()  # what authors write for its name
     rule: Rule | None = None
     room_rule: RoomRule | None = None
 
     def keeps(self, effect: Effect) -> Literal["", "place", "gap"]:
         """Where an effect of this kind stores what it gives, if it does."""
         return "gap" if self.stored_with in effect.numbers else self.stores
+
+    @property
+    def example(self) -> str:
+        """An entry of the list, with what it cannot do without."""
+        first = next((one for one in self.fields if one.key in self.one_of), self.fields[0])
+        given = {one.key: one for one in (first, *self.fields)
+                 if one is first or (one.default is None and not one.optional)}  # fmt: skip
+        numbers = [f"{key}: {one.dimension.example}" for key, one in given.items()]
+        whom = {"cart": ["cart: A"], "between": ["between: [A, B]"]}.get(self.needs, [])
+        return f"- {self.name}: {{{', '.join([*numbers, *whom])}}}"
 
     @property
     def label(self) -> str:

@@ -119,6 +119,12 @@ CART = (
     ),
 )
 
+IN_OTHER_WORDS = {
+    "speed": "velocity", "v": "velocity", "weight": "mass", "m": "mass", "place": "position",
+    "x": "position", "start": "position", "width": "length", "size": "length",
+}  # fmt: skip
+"""What authors call the keys of a cart, where no spelling is near."""
+
 TRACK_LENGTH = Field(
     "length",
     quantity.LENGTH,

@@ -10,6 +10,7 @@ reads in the same way (sim/web/src/question/marking/notation.js; tests/marking h
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from fractions import Fraction
 from functools import lru_cache
 
@@ -51,6 +52,30 @@ def factors(unit: str) -> tuple[tuple[str, Fraction], ...] | None:
 def same_unit(one: str, other: str) -> bool:
     """Whether two texts are one unit, written in two ways."""
     return one == other or (factors(one) is not None and factors(one) == factors(other))
+
+
+_IN_WORDS = {
+    "ton": "t", "tonne": "t", "kilogram": "kg", "kilo": "kg", "gram": "g", "second": "s",
+    "sec": "s", "minute": "min", "hour": "h", "hr": "h", "meter": "m", "metre": "m",
+    "centimeter": "cm", "centimetre": "cm", "millimeter": "mm", "millimetre": "mm",
+    "kilometer": "km", "kilometre": "km", "newton": "N", "joule": "J", "mps": "m/s", "kmh": "km/h",
+    "kph": "km/h", "degree": "deg", "percent": "%",
+}  # fmt: skip
+"""Units as authors write them out."""
+
+
+def unit_meant(written: str, units: Iterable[str]) -> str | None:
+    """The one of these units that was meant by its name, or by its sign in letters of another size.
+    M is mega where it stands before a unit, and m a thousandth: neither is meant by the other."""
+    small = written.casefold()
+    named = _IN_WORDS.get(small) or _IN_WORDS.get(small.removesuffix("s"))
+    found = [one for one in units if one == named or (one and one.casefold() == small)]
+    mega = written[:1] == "M" and len(written) > 1 and "/" not in written[:2]
+    return (
+        found[0]
+        if len(found) == 1 and not (mega and found[0] != named and found[0][0] == "m")
+        else None
+    )
 
 
 def with_exponent(text: str) -> str:

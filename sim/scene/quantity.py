@@ -13,7 +13,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 
-from sim.scene.notation import same_unit, with_exponent
+from sim.scene.notation import same_unit, unit_meant, with_exponent
+from sim.scene.problem import meant
 from sim.scene.said import said
 
 LARGEST = Fraction(10) ** 50
@@ -190,27 +191,28 @@ def _from_text(text: str, dimension: Dimension, hint: str) -> Fraction:
     if unit:
         known = dimension.factor(unit)
         if known is None:
-            quantity = said(dimension.name)
-            raise QuantityError(
-                "wrong-unit",
-                said(
-                    "{unit} is not a unit of {quantity}",
-                    unit=f"“{_shown(unit)}”",
-                    quantity=quantity,
-                ),
-                said(
-                    "{quantity} takes {units}; for example {example}",
-                    quantity=quantity,
-                    units=", ".join(filter(None, dimension.units)) or said("no unit"),
-                    example=dimension.example,
-                ),
-            )
+            raise _wrong_unit(number, unit, dimension)
         factor = known
     exponent = re.search(r"[eE](.*)", number)
     if exponent and abs(int(exponent[1])) > MOST_POWER:
         reason = said("{number} is too large or too small", number=number)
         raise QuantityError("out-of-range", reason, hint)
     return exact(number) * factor
+
+
+def _wrong_unit(number: str, unit: str, dimension: Dimension) -> QuantityError:
+    """Of a unit that this kind does not take: which was meant, or which there are."""
+    quantity = said(dimension.name)
+    told = said("{unit} is not a unit of {quantity}", unit=f"“{_shown(unit)}”", quantity=quantity)
+    if close := unit_meant(unit, dimension.units):
+        return QuantityError("wrong-unit", told, meant(f"{number} {close}"))
+    takes = said(
+        "{quantity} takes {units}; for example {example}",
+        quantity=quantity,
+        units=", ".join(filter(None, dimension.units)) or said("no unit"),
+        example=dimension.example,
+    )
+    return QuantityError("wrong-unit", told, takes)
 
 
 def _bounded(value: Fraction, hint: str) -> Fraction:

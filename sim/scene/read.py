@@ -8,9 +8,9 @@ from fractions import Fraction
 from typing import Any
 
 from sim.scene.effects import kinds
-from sim.scene.fields import CART, GRAVITY, SKINS, TRACK_LENGTH, UNTIL
+from sim.scene.fields import CART, GRAVITY, IN_OTHER_WORDS, SKINS, TRACK_LENGTH, UNTIL
 from sim.scene.model import Cart, Scene
-from sim.scene.problem import Path, Problem, SceneError, did_you_mean, nearest
+from sim.scene.problem import Path, Problem, SceneError, did_you_mean, meant, nearest
 from sim.scene.reading.contact import read_contacts
 from sim.scene.reading.effects import check_room, read_effects, read_estimates
 from sim.scene.reading.gaps import approaches, gaps_of, refuse_overlap
@@ -160,15 +160,20 @@ def _carts(value: object, problems: list[Problem]) -> dict[str, dict[str, Fracti
 
 def _cart(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> dict[str, Fraction]:
     keys = tuple(field.key for field in CART)
-    unknown_keys(table, (*keys, "skin"), path, problems)
+    everyday = {word: meant(key) for word, key in IN_OTHER_WORDS.items()}
+    unknown_keys(table, (*keys, "skin"), path, problems, elsewhere=everyday)
     if (skin := table.get("skin", SKINS[0])) not in SKINS:
         message = f"no skin “{str(skin)[:40]}”"
-        hint = did_you_mean(skin, SKINS, f"one of {', '.join(SKINS)}")
+        close = did_you_mean(skin, SKINS, "")
+        listed = f"one of {', '.join(SKINS)}"
+        hint = f"{close} ({listed})" if close else listed
         problems.append(Problem((*path, "skin"), "not-a-choice", message, hint))
-    meant = {nearest(str(key), keys) for key in table if key not in keys}
+    misspelt = {
+        IN_OTHER_WORDS.get(str(key)) or nearest(str(key), keys) for key in table if key not in keys
+    }
     exact = {}
     for field in CART:
-        if field.key not in table and field.key in meant and field.default is None:
+        if field.key not in table and field.key in misspelt and field.default is None:
             continue  # misspelt, and already told so
         value = number(field, table, path, problems)
         if value is not None:

@@ -15,6 +15,7 @@ from sim.scene.quantity import exact
 _NO_KEY = re.compile(r"[\s.!?…’'A-Z]")
 _AFTER_COMMA = re.compile(r"\d+(\s?[^\s\d].*)?")
 """What {mass: 0,5 kg} leaves behind: a key “5 kg” without a value."""
+_WHOLE = re.compile(r"[-−+]?\d+")
 _EQUALS = re.compile(r"([\w.-]+)\s*=\s*(.+)")
 
 
@@ -48,14 +49,7 @@ def unknown_keys(
             empty = key if table[key] is None else ""
             continue
         if _is_after_comma(key, table):
-            problems.append(
-                Problem(
-                    (*path, key),
-                    "decimal-comma",
-                    f"“,{key}”: a comma begins the next key here",
-                    "write decimals with a point: 0.5 kg",
-                )
-            )
+            problems.append(_decimal_comma(key, table, path))
         else:
             listed = f"known keys: {', '.join(known)}"
             home = empty or _home_of(table[key], table, known)
@@ -72,6 +66,18 @@ def unknown_keys(
             if wrote := _EQUALS.fullmatch(str(key)):
                 hint = f"write a colon and a space: {wrote[1]}: {wrote[2]}"
             problems.append(Problem((*path, key), "unknown-key", f"unknown key “{key}”", hint))
+
+
+def _decimal_comma(rest: str, table: Mapping[str, Any], path: Path) -> Problem:
+    """Of the number that a comma cut in two, at its own key; of what is none, where the rest is."""
+    code, said_of = "decimal-comma", "a comma begins the next key here"
+    key = next(one for one, then in pairwise((None, *table)) if then == rest)
+    whole = "" if key is None else str(table[key])
+    if not _WHOLE.fullmatch(whole):
+        hint = "write decimals with a point: 0.5 kg"
+        return Problem((*path, rest), code, f"“,{rest}”: {said_of}", hint)
+    hint = f"write a point for the decimals: {key}: {whole}.{rest}"
+    return Problem((*path, str(key)), code, f"“{whole},{rest}”: {said_of}", hint)
 
 
 def _cut_by_comma(key: str, table: Mapping[str, Any]) -> bool:

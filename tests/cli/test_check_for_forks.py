@@ -69,8 +69,8 @@ def test_what_is_so_by_default_is_counted_and_listed_when_asked(tmp_path: Path) 
     counted = CliRunner().invoke(main, ["check", str(lesson)])
     assert counted.exit_code == 0, counted.output
     assert (
-        "3 scenes and questions wait by default until a run was watched, in 1 lesson"
-        in counted.output
+        "Good to know: 3 scenes and questions open to a student who has watched the run"
+        in counted.output.splitlines()[-1]
     )
     listed = CliRunner().invoke(main, ["check", "--defaults", str(lesson)]).output
     assert re.findall(r"hint: (?:id: )?(“\w+” is watched|opens when “\w+”)", listed) == [

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
 
 from sim.cli import main
+from sim.pages.checks.left_over import PLACEHOLDERS
 from sim.pages.checks.lessons import check_paths
 from sim.pages.text.front_matter import LAST, lesson_order
 
@@ -25,7 +27,7 @@ def test_a_new_lesson_has_no_mistakes(folder: Path, title: str) -> None:
     result = CliRunner().invoke(main, ["new", "two-trains", "--title", title])
     assert result.exit_code == 0, result.output
     path = folder / "worksheets" / "two-trains.md"
-    assert check_paths([path], folder) == []
+    assert {one.code for one in check_paths([path], folder)} == {"placeholder"}
     assert "order: 8" in path.read_text(encoding="utf-8")
 
 
@@ -39,7 +41,27 @@ def test_a_lesson_that_is_there_stays_as_it_is(folder: Path) -> None:
 
 def test_a_name_of_one_letter_is_a_name(folder: Path) -> None:
     assert CliRunner().invoke(main, ["new", "x"]).exit_code == 0
-    assert check_paths([folder / "worksheets" / "x.md"], folder) == []
+    found = check_paths([folder / "worksheets" / "x.md"], folder)
+    assert {one.code for one in found} == {"placeholder"}
+
+
+def test_words_of_the_starter_that_are_left_over_are_told_and_stop_nothing(folder: Path) -> None:
+    """The home page told students “What this lesson is about, in one sentence.”"""
+    CliRunner().invoke(main, ["new", "x"])
+    path = folder / "worksheets" / "x.md"
+    told = CliRunner().invoke(main, ["check", str(path)])
+    assert told.exit_code == 0, told.output
+    for words in PLACEHOLDERS:
+        assert words in path.read_text(encoding="utf-8")
+        path.write_text(path.read_text(encoding="utf-8").replace(words, "Two trains meet."))
+    assert re.search(r"x\.md:4:14: warning: students will read “What this lesson", told.output)
+    assert check_paths([path], folder) == []
+
+
+def test_a_new_lesson_has_a_question_that_is_marked(folder: Path) -> None:
+    CliRunner().invoke(main, ["new", "x"])
+    text = (folder / "worksheets" / "x.md").read_text(encoding="utf-8")
+    assert re.search(r"type: single\n.*correct: true", text, re.DOTALL)
 
 
 @pytest.mark.parametrize("name", ["../up", "Two Trains", "a/b", "", "1st"])

@@ -88,7 +88,11 @@ def test_typographic_quotes_inside_a_text_are_its_own() -> None:
             "the closing quote is missing",
         ),
         ('ask: "What\no:\n  - {text: "A b"}', (1, 6), "the closing quote is missing"),
-        ('ask: |\n  A 5" pipe\nx: [a, b\nd: 1', (3, 4), "a comma or the closing ] is missing"),
+        (
+            'ask: |\n  A 5" pipe\nx: [a, b\nd: 1',
+            (3, 4),
+            "a comma or the closing ] is missing before line 4",
+        ),
     ],
 )
 def test_a_text_that_needs_quotes_is_named_where_it_begins(

@@ -5,8 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+import yaml
 
-from sim.scene import SceneError, read_fence
+from sim.scene import SceneError, quantity, read_fence
+from sim.scene.effects import kinds
 from sim.scene.problem import Problem
 from sim.scene.said import in_words
 
@@ -38,7 +40,6 @@ def problems(**more: Any) -> tuple[Problem, ...]:
         ({"slow": "nevr"}, "never"),
         ({"boxes": "alke"}, "alike"),
         ({"track": {"length": 2, "left": "wal"}}, "wall"),
-        ({"carts": {"A": {"mass": 1, "position": 0, "skin": "trukc"}}}, "truck"),
     ],
 )
 def test_the_nearest_word_is_offered(more: dict[str, Any], meant: str) -> None:
@@ -60,6 +61,58 @@ def test_a_word_that_is_near_to_none_is_answered_with_those_there_are(
 ) -> None:
     (problem,) = problems(**more)
     assert problem.hint.startswith(hint)
+
+
+def test_a_skin_that_is_none_is_answered_with_all_of_them() -> None:
+    """Of “car” the author read only “cart”, and never of vans and trucks."""
+    (problem,) = problems(carts={"A": {"mass": 1, "position": 0, "skin": "car"}})
+    assert problem.hint.startswith("did you mean “cart”? (one of cart, van, truck,")
+
+
+@pytest.mark.parametrize("name", kinds())
+def test_every_everyday_word_of_an_effect_leads_to_an_example_that_can_be_read(name: str) -> None:
+    for word in kinds()[name].everyday:
+        (problem,) = problems(effects=[{word: {}}])
+        assert problem.hint.startswith(f"did you mean “{name}”? For example - {name}: ")
+        (entry,) = yaml.safe_load(problem.hint.partition("For example ")[2])
+        ends = {"A": {"mass": 1, "position": 0.5}, "B": {"mass": 1, "position": 0.7}}
+        carts = ends if name == "release" else TWO
+        assert read_fence({"carts": carts, "effects": [entry]}, named=False)
+
+
+def test_no_everyday_word_means_two_effects() -> None:
+    words = [word for kind in kinds().values() for word in (kind.name, *kind.everyday)]
+    assert len(words) == len(set(words))
+
+
+@pytest.mark.parametrize(
+    ("written", "kind", "meant"),
+    [
+        ("3 Minutes", quantity.TIME, "3 min"),
+        ("2 M/S", quantity.SPEED, "2 m/s"),
+        ("1 KN", quantity.FORCE, "1 kN"),
+        ("0.6 KG", quantity.MASS, "0.6 kg"),
+        ("2 tons", quantity.MASS, "2 t"),
+    ],
+)
+def test_a_unit_written_out_or_in_capitals_is_told_with_its_number(
+    written: str, kind: quantity.Dimension, meant: str
+) -> None:
+    with pytest.raises(quantity.QuantityError) as caught:
+        quantity.read_quantity(written, kind)
+    assert caught.value.hint == f"did you mean “{meant}”?"
+
+
+@pytest.mark.parametrize(
+    ("written", "kind"),
+    [("2 MN", quantity.FORCE), ("2 Mm", quantity.LENGTH), ("2 Mg", quantity.MASS)],
+)
+def test_a_million_of_a_unit_is_never_taken_for_a_thousandth(
+    written: str, kind: quantity.Dimension
+) -> None:
+    with pytest.raises(quantity.QuantityError) as caught:
+        quantity.read_quantity(written, kind)
+    assert not caught.value.hint.startswith("did you mean")
 
 
 ROW = {**TWO, "C": {"mass": 1, "position": 2.5}}

@@ -221,4 +221,6 @@ def test_a_misspelt_key_is_told_once():
 
 def test_a_decimal_comma_is_called_by_its_name():
     plain = {"carts": {"A": {"mass": 0, "5 kg": None, "position": 0}}}
-    assert ("carts.A.5 kg", "decimal-comma") in problems(plain)
+    assert ("carts.A.mass", "decimal-comma") in problems(plain)
+    no_number = {"carts": {"A": {"mass": "a few", "5 kg": None, "position": 0}}}
+    assert ("carts.A.5 kg", "decimal-comma") in problems(no_number)

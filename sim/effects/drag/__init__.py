@@ -30,6 +30,7 @@ KIND = EffectKind(
         ),
     ),
     one_of=("linear", "quadratic"),
+    everyday=("air", "wind", "resistance", "air-resistance", "water"),
     called=said("air resistance"),
     agent=said("the air"),
 )

@@ -49,6 +49,7 @@ KIND = EffectKind(
             label=said("friction coefficient at rest"),
         ),
     ),
+    everyday=("brake", "brakes", "braking", "rubbing", "rolling", "grip"),
     called=said("friction"),
     agent=said("the track"),
     rule=_static_is_the_greater,

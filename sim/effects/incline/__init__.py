@@ -46,6 +46,7 @@ KIND = EffectKind(
         ),
     ),
     stores="place",
+    everyday=("slope", "hill", "ramp", "tilt", "inclined", "downhill", "uphill"),
     called=said("a slope"),
     switch=said("slope"),
     agent=said("the Earth"),

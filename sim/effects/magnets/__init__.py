@@ -52,6 +52,7 @@ KIND = EffectKind(
     walls=True,
     stores="gap",
     apart=True,
+    everyday=("magnet", "magnetic", "repulsion"),
     called=said("magnets"),
     room_rule=_apart,
 )

@@ -57,6 +57,7 @@ KIND = EffectKind(
     needs="cart",
     by=said("hand"),
     gives=True,
+    everyday=("engine", "motor", "force", "thrust", "pull", "hand", "kick", "hit"),
     called=said("pushes from outside"),
     switch=said("push"),
     rule=_ends_after_it_begins,

@@ -66,6 +66,7 @@ KIND = EffectKind(
     overlap=True,
     gives=True,
     stored_with="stiffness",
+    everyday=("explosion", "exploder", "plunger", "explode", "separation"),
     called=said("a release between the carts"),
     switch=said("exploder"),
     room_rule=_no_overlap,

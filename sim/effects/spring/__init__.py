@@ -41,6 +41,7 @@ KIND = EffectKind(
     needs="between",
     walls=True,
     stores="gap",
+    everyday=("elastic", "rubber", "bungee"),
     called=said("springs between the carts"),
     switch=said("spring"),
 )

@@ -12,6 +12,7 @@ from sim.pages.checks.blocks import CHECKS, Around
 from sim.pages.checks.heading_ids import heading_ids
 from sim.pages.checks.hidden_forces import forces_nobody_finds
 from sim.pages.checks.large_numbers import large_numbers
+from sim.pages.checks.left_over import left_over
 from sim.pages.checks.never_touch import forces_that_never_act
 from sim.pages.checks.preset_reach import presets_beyond_sliders
 from sim.pages.checks.relevance import relevance_hints
@@ -27,7 +28,7 @@ from sim.pages.teach.withheld import withheld_findings
 from sim.pages.text.author_text import author_text
 from sim.pages.text.fence_scan import Block, scan
 from sim.pages.text.lesson_places import BANK_FOLDER, LESSONS, described, is_hidden, shown
-from sim.pages.text.lesson_text import text_findings
+from sim.pages.text.lesson_text import minutes_last, text_findings
 from sim.pages.text.plain_lines import lines_of
 from sim.pages.text.sections import in_sections
 from sim.pages.translate.check import catalogue_findings
@@ -68,7 +69,7 @@ def check_lesson(text: str, lesson: Lesson, ids: SiteIds, *, hints: bool = False
             items.give_up(block)
             findings += error.findings
     of_text = [*text_findings(text, lesson), *heading_ids(text, lesson.file, ids)]
-    return sorted([*items.first_causes(findings), *of_text])
+    return minutes_last([*items.first_causes(findings), *of_text])
 
 
 def _read(
@@ -143,6 +144,7 @@ def check_paths(paths: Iterable[Path], root: Path, *, hints: bool = False) -> li
                 lesson = described(file, root)
                 own = check_lesson(text, lesson, ids, hints=hints)
                 own += withheld_findings(text, lesson.file)
+                own += left_over(text, lesson.file, own)
                 findings += own + _in_other_languages(file, root, ids, own, hints=hints)
                 findings += [*no_page(file, root), *no_text(text, lesson.file)]
             elif file.parent.name == BANK_FOLDER:

@@ -14,8 +14,8 @@ from jinja2 import BytecodeCache
 from jinja2.bccache import Bucket
 
 from sim.pages.blocks.scene_block import Lesson
-from sim.pages.findings import Finding, error_box
-from sim.pages.text.lesson_text import text_findings
+from sim.pages.findings import AUTHOR_ERROR, Finding, error_box
+from sim.pages.text.lesson_text import minutes_last, text_findings
 
 if TYPE_CHECKING:
     from mkdocs.structure.nav import Navigation
@@ -56,12 +56,13 @@ class Preview:
                 page.title = name
 
 
-def text_box(text: str, lesson: Lesson, report: Callable[[Finding], None]) -> str:
-    """A red box with the mistakes in the text around the blocks, or nothing."""
-    found = tuple(text_findings(text, lesson))
+def text_box(text: str, page: str, lesson: Lesson, report: Callable[[Finding], None]) -> str:
+    """A red box with the mistakes in the text around the blocks, or nothing. `page`: what was made
+    of the text, with the boxes of its blocks."""
+    found = minutes_last(text_findings(text, lesson), wrong=AUTHOR_ERROR in page)
     for finding in found:
         report(finding)
-    return error_box(found, "To be mended on this page") if found else ""
+    return error_box(tuple(found), "To be mended on this page") if found else ""
 
 
 def touched(changed: Iterable[Path], pages: Iterable[Path]) -> set[Path]:

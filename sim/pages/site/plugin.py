@@ -186,7 +186,7 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         if self.serving:
             self.preview.names[name] = str(page.title or "")
             if page.file.abs_src_path:  # written by somebody
-                html = text_box(page.file.content_string, self.page.lesson, report) + html
+                html = text_box(page.file.content_string, html, self.page.lesson, report) + html
         return html
 
     def on_env(self, env: Environment, *, config: MkDocsConfig, files: Files) -> Environment:

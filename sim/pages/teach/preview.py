@@ -22,7 +22,7 @@ from sim.pages.question.challenge import read_challenge_block
 from sim.pages.teach.frame import Site, frame_of
 from sim.pages.text.fence_scan import Block, scan
 from sim.pages.text.held_back import mark_held
-from sim.pages.text.lesson_text import text_findings
+from sim.pages.text.lesson_text import minutes_last, text_findings
 from sim.pages.text.plain_lines import lines_of, without_code
 from sim.pages.text.sections import in_sections
 from sim.scene import Problem
@@ -98,7 +98,9 @@ class Desk:
                 shown.append(Shown("needs"))
         mark_held(marked, plain, done, len(lines), items.asking, items.scene_ids)
         found = [*items.first_causes(found), *text_findings(read, lesson)]
-        return Preview(tuple(sorted(found)), tuple(shown), frame_of(marked, parts, items, site))
+        return Preview(
+            tuple(minutes_last(found)), tuple(shown), frame_of(marked, parts, items, site)
+        )
 
     def _block(
         self,

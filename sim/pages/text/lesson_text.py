@@ -19,6 +19,7 @@ from sim.pages.text.links import PICTURE, links
 from sim.pages.text.plain_lines import lines_of, without_code
 from sim.pages.text.raw_html import never_shown
 
+MINUTES = "minutes"
 _HTML_PICTURE = re.compile(r"<img\b(?![^>]*\balt=\"[^\"]+\")[^>]*>")
 _FORMULA_MARK = re.compile(r"(?<!\\)\$\$|(?<!\\)\$|\\[()\[\]]")
 _MINUTES = re.compile(r"^#{1,6} .*\bdata-minutes=\"?(\d+)\"?", re.MULTILINE)
@@ -50,6 +51,16 @@ def text_findings(text: str, lesson: Lesson) -> list[Finding]:
     if lesson.scene_folders:  # where the lesson lies is known
         found += links(prose, lesson)
     return _located(found, text, lesson)
+
+
+def minutes_last(found: Iterable[Finding], *, wrong: bool = False) -> list[Finding]:
+    """Findings by place, minutes behind all others, and only where nothing else is `wrong`: a block
+    with mistakes has none yet, and whoever mends it wants no sum."""
+    listed = sorted(found)
+    others = [one for one in listed if one.code != MINUTES]
+    if wrong or any(one.severity == "error" for one in others):
+        return others
+    return [*others, *(one for one in listed if one.code == MINUTES)]
 
 
 def language_findings(text: str, lesson: Lesson) -> list[Finding]:
@@ -177,7 +188,7 @@ def _minutes(text: str, prose: str) -> Iterator[Found]:
     if stated and parts and stated[1].isdecimal() and sum(parts) != int(stated[1]):
         message = f"the parts of this lesson take {sum(parts)} minutes, not {stated[1]}"
         hint = "change data-minutes of the headings, or minutes: above"
-        yield stated[0], "minutes", message, hint
+        yield stated[0], MINUTES, message, hint
 
 
 def _minutes_of_questions(prose: str) -> Iterator[Found]:
@@ -188,4 +199,4 @@ def _minutes_of_questions(prose: str) -> Iterator[Found]:
         taken = sum(int(m[1]) for m in _OWN_MINUTES.finditer(prose, part.end(), end))
         if taken > int(part[1]):
             message = f"the questions of this part take {taken} minutes, the part only {part[1]}"
-            yield part.start(), "minutes", message, "change one of them"
+            yield part.start(), MINUTES, message, "change one of them"

@@ -126,7 +126,7 @@ def _unknown(
     known = (*names, "contact", "track", "until", "gravity", "effects", *kinds())
     cannot = f"no {kind.name} can set “{target}”"
     told = cannot if owner in known else f"there is no cart {owner}"
-    return Problem(path, "unknown-path", told, _hint(owner, effects))
+    return Problem(path, "unknown-path", told, _hint(owner, names, effects))
 
 
 def _limits(
@@ -171,7 +171,7 @@ def _bare(table: Mapping[str, Any], path: Path, field: Field) -> Problem | None:
     return None
 
 
-def _hint(owner: str, effects: Sequence[Effect]) -> str:
+def _hint(owner: str, names: Sequence[str], effects: Sequence[Effect]) -> str:
     """What a control could set instead."""
     own = [
         f"effects.{effect.index}.{key}"
@@ -179,9 +179,8 @@ def _hint(owner: str, effects: Sequence[Effect]) -> str:
         if owner in ("effects", effect.kind)
         for key in effect.numbers
     ]
-    return ", ".join(
-        own or ("for example A.mass, B.velocity, contact.restitution, contact.stiffness",)
-    )
+    of_carts = f"{names[0]}.mass, {names[-1]}.velocity"
+    return ", ".join(own or (f"for example {of_carts}, contact.restitution, contact.stiffness",))
 
 
 def number_of(

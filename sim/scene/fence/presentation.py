@@ -8,13 +8,14 @@ from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
 
+from sim.scene.fence.choices import choice, choices
 from sim.scene.fence.controls import Control, read_controls
 from sim.scene.fence.effect_controls import Switch, read_switches
 from sim.scene.fence.predict import KINDS, Predict, kind_of, read_predict
 from sim.scene.fence.presets import read_presets
 from sim.scene.fields import SKINS
 from sim.scene.model import Scene
-from sim.scene.problem import Problem, SceneError, did_you_mean, meant, nearest
+from sim.scene.problem import Problem, SceneError
 from sim.scene.quantity import SPEED, QuantityError, read_quantity
 from sim.scene.read import SCENE_KEYS, collect_scene
 from sim.scene.reading.effects import all_effects
@@ -25,11 +26,6 @@ FENCE_KEYS = (
     *("forces", "slow", "watch", "view", "boxes", "packages", "worlds"),
 )
 SHOWS = ("x", "v", "a", "F", "R", "p", "energy")
-QUANTITIES = {
-    "position": "x", "place": "x", "velocity": "v", "speed": "v", "acceleration": "a", "force": "F",
-    "resultant": "R", "net force": "R", "momentum": "p",
-}  # fmt: skip
-"""What authors write out of what SHOWS names by a letter."""
 FORCE_GRAPHS = ("F", "R", "a")
 FORCES = ("shown", "hidden", "none")
 VIEWS = ("free-body", "lens", "bars")
@@ -84,13 +80,13 @@ def read_fence(plain: object, *, named: bool = True) -> Fence:
     scene_part = {key: value for key, value in table.items() if key in SCENE_KEYS}
     scene = collect_scene(scene_part, problems)
     identity = _identity(table, problems, named=named)
-    show = _choices("show", table, ("x", "v", "F"), SHOWS, problems)
-    opened = _choices("with", table, (), (*VIEWS, *TOOLS), problems)
-    packages = _choices("packages", table, (), PACKAGES, problems)
+    show = choices("show", table, ("x", "v", "F"), SHOWS, problems)
+    opened = choices("with", table, (), (*VIEWS, *TOOLS), problems)
+    packages = choices("packages", table, (), PACKAGES, problems)
     forces = _forces(table, show, problems)
-    slow = _choice("slow", table, ("auto", "never", "stops"), problems)
-    watch = _choice("watch", table, ("first", "free"), problems) if "watch" in table else ""
-    boxes = _choice("boxes", table, ("mass", "alike"), problems)
+    slow = choice("slow", table, ("auto", "never", "stops"), problems)
+    watch = choice("watch", table, ("first", "free"), problems) if "watch" in table else ""
+    boxes = choice("boxes", table, ("mass", "alike"), problems)
     speed = _view(table.get("view"), problems)
     controls: tuple[Control, ...] = ()
     switches: tuple[Switch, ...] = ()
@@ -167,7 +163,7 @@ def _predict(
 
 def _forces(table: Mapping[str, Any], show: tuple[str, ...], problems: list[Problem]) -> str:
     """How forces are shown; a graph that would tell them is an error, if it was asked for."""
-    forces = _choice("forces", table, FORCES, problems)
+    forces = choice("forces", table, FORCES, problems)
     if forces not in FORCES[1:]:
         return forces
     telling = [quantity for quantity in show if quantity in FORCE_GRAPHS]
@@ -181,53 +177,6 @@ def _forces(table: Mapping[str, Any], show: tuple[str, ...], problems: list[Prob
             )
         )
     return forces
-
-
-def _choice(
-    key: str, table: Mapping[str, Any], allowed: tuple[str, ...], problems: list[Problem]
-) -> str:
-    value = table.get(key, allowed[0])
-    if value not in allowed:
-        hint = did_you_mean(value, allowed, f"{key}: {allowed[0]}")
-        problems.append(Problem((key,), "not-a-choice", f"{key} is {' or '.join(allowed)}", hint))
-    return str(value)
-
-
-def _choices(
-    key: str,
-    table: Mapping[str, Any],
-    default: tuple[str, ...],
-    allowed: tuple[str, ...],
-    problems: list[Problem],
-) -> tuple[str, ...]:
-    value = table.get(key, default)
-    listed = value if _is_list(value) else [] if value is None else [value]
-    strange = [item for item in listed if item not in allowed]
-    if strange or not _is_list(value):
-        found = f" (got {', '.join(map(str, strange))})" if strange else ""
-        problems.append(
-            Problem(
-                (key,),
-                "not-a-choice",
-                f"{key} is a list of {', '.join(allowed)}{found}",
-                _meant(key, strange, allowed),
-            )
-        )
-        return ()
-    return tuple(dict.fromkeys(value))
-
-
-def _meant(key: str, strange: list[object], allowed: tuple[str, ...]) -> str:
-    """How a list should look; of a misspelt word, which one was meant."""
-    written_out = QUANTITIES if key == "show" else {}
-    close = nearest(str(strange[0]), (*allowed, *written_out)) if strange else None
-    if close is None:
-        return f"{key}: [{', '.join(allowed[:2])}]"
-    return meant(written_out.get(close, close))
-
-
-def _is_list(value: object) -> bool:
-    return isinstance(value, (list, tuple))
 
 
 def _view(value: object, problems: list[Problem]) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -9,7 +10,7 @@ from typing import Any
 
 from sim.scene.effects import Effect, EffectKind, kinds
 from sim.scene.model import Scene, Track
-from sim.scene.problem import Path, Problem, did_you_mean
+from sim.scene.problem import Path, Problem, meant, nearest
 from sim.scene.tables import mapping, number, unknown_keys
 
 MOST_EFFECTS = 2000
@@ -83,7 +84,7 @@ def _entry(
     name, body = next(iter(entry.items()))
     kind = kinds().get(name)
     if kind is None:
-        hint = did_you_mean(name, kinds(), f"effects: {', '.join(kinds())}")
+        hint = _effect_meant(str(name), names)
         problems.append(Problem((*path, name), "unknown-effect", f"unknown effect “{name}”", hint))
         return None
     path = (*path, kind.name)
@@ -120,6 +121,19 @@ def _entry(
         index=index,
         active=active,
     )
+
+
+def _effect_meant(name: str, names: list[str]) -> str:
+    """The kind that was meant by an everyday word or by a word spelt nearly so; else all of them.
+    An example line is there for each, with carts of this scene."""
+    by_word = {word: kind.name for kind in kinds().values() for word in (kind.name, *kind.everyday)}
+    close = by_word.get(name.casefold()) or nearest(name, kinds())
+    if close is None:
+        first = next(iter(kinds().values()))
+        return f"effects: {', '.join(kinds())}; for example {first.example}"
+    own = dict(zip("AB", names, strict=False))
+    example = re.sub(r"\b[AB]\b", lambda one: own.get(one[0], one[0]), kinds()[close].example)
+    return f"{meant(close)} For example {example}"
 
 
 def _numbers(

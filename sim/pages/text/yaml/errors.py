@@ -27,7 +27,8 @@ class YamlError(ValueError):
 
 
 # What PyYAML notices only on a later line; the line where it began is the one to mend.
-FOUND_TOO_LATE = ("could not find expected ':'", "expected ',' or '}'", "expected ',' or ']'")
+NOT_HELD = ("expected ',' or '}'", "expected ',' or ']'")
+FOUND_TOO_LATE = ("could not find expected ':'", *NOT_HELD)
 
 BACKSLASH = (
     "a backslash means something else in double quotes",

@@ -11,16 +11,16 @@ validator has computed with it.
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, field
-from itertools import pairwise
 
 import yaml
 
+from sim.pages.text.yaml.commas import decimals_in, decimals_of
 from sim.pages.text.yaml.cut import cut_off
 from sim.pages.text.yaml.errors import (
     EXPLAINED,
     FOUND_TOO_LATE,
+    NOT_HELD,
     YamlError,
     of_first_sign,
     of_neighbours,
@@ -40,7 +40,6 @@ KeyPath = tuple[str | int, ...]
 Plain = dict[str, "Plain"] | list["Plain"] | str | int | bool | None
 Place = tuple[int, int]  # line and column, both counted from 1
 
-_AFTER_COMMA = re.compile(r"\d+\s*[^\W\d]|\d+ ?%")  # with a unit: [1,2] may be two numbers
 _HINT_TRUTH = "write true or false, or put the word in quotes"
 
 
@@ -154,7 +153,8 @@ class _Reader:
             return self.error(line, col, message, hint)
         for part, message, hint in EXPLAINED:
             if part in problem or part in (error.context or ""):
-                return self.error(line, col, message, hint)
+                by = f" before line {self.first_line + last}" if late and part in NOT_HELD else ""
+                return self.error(line, col, f"{message}{by}", hint)
         return self.error(line, col, problem, "look at this line and the one above it")
 
     def _mapping(self, node: yaml.MappingNode, path: KeyPath) -> dict[str, Plain]:
@@ -164,7 +164,8 @@ class _Reader:
             here = (*path, key)
             if key in plain:
                 message = f"“{key}” is written twice (first in line {self.keys[here][0]})"
-                self.found.append(self._at(key_node, message, "keep one of them"))
+                cut = decimals_of(key_node, node) or (key_node, message, "keep one of them")
+                self.found.append(self._at(*cut))
                 continue
             self.keys[here] = self._place(key_node)
             plain[key] = self._value(value_node, here)
@@ -192,18 +193,9 @@ class _Reader:
         if isinstance(node, yaml.MappingNode):
             return self._mapping(node, path)
         if isinstance(node, yaml.SequenceNode):
-            self._commas(node)
+            self.found += [self._at(*cut) for cut in decimals_in(node)]
             return [self._value(item, (*path, i)) for i, item in enumerate(node.value)]
         return self._scalar(node, str(node.value))
-
-    def _commas(self, node: yaml.SequenceNode) -> None:
-        """[0,5 N] is a list of 0 and of “5 N”: whoever wrote it means one number."""
-        for one, two in pairwise(node.value) if node.flow_style else ():
-            close = one.end_mark.index + 1 == two.start_mark.index
-            if close and WHOLE.fullmatch(str(one.value)) and _AFTER_COMMA.match(str(two.value)):
-                message = f"“{one.value},{two.value}”: a comma begins the next value here"
-                hint = f"write decimals with a point: {one.value}.{two.value}"
-                self.found.append(self._at(one, message, hint))
 
     def _scalar(self, node: yaml.Node, text: str) -> Plain:
         kind = node.tag.rpartition(":")[2]
