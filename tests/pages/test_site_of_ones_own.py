@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -61,6 +62,31 @@ def test_a_zip_asks_for_the_word_that_was_typed_and_for_no_other(
     carts("pack", *asked)
     assert [one.get("teacher_word") for one in told] == [word]
     assert told[0]["teacher_mode"] == bool(asked)
+
+
+CLASS_TOO = CONFIG.replace(
+    "{Lessons: worksheets/}]",
+    "{Lessons: worksheets/}, {For teachers: [{Class results: class-results.md}]}]\n"
+    "docs_dir: worksheets",
+)
+
+
+@pytest.mark.parametrize(
+    ("asked", "there"), [([], False), (["--hosted"], True), (["--teacher"], True)]
+)
+def test_the_zip_for_students_has_no_page_for_the_results_of_a_class(
+    make_site: MakeSite, asked: list[str], there: bool
+) -> None:
+    """It came with numpy and a line in their menu, for who took the # off as the texts say."""
+    root = make_site(CLASS_TOO, first=lesson())
+    result = carts("pack", "--out", "site.zip", *asked)
+    assert result.exit_code == 0, result.output
+    assert ("“Class results” is not in it" in result.output) is not there
+    with zipfile.ZipFile(root / "site.zip") as archive:
+        assert ("class-results.html" in archive.namelist()) is there
+        menu = archive.read("worksheets/first.html").decode()
+    assert ("class-results.html" in menu) is there
+    assert ("For teachers" in menu) is there
 
 
 @pytest.mark.parametrize(

@@ -22,6 +22,11 @@ HOW = {
     "hosted": "Unpack it into a folder of a web server; any address will do.",
 }
 
+YOURS = (
+    "“Class results” is not in it: that page is for you. Your own copy has it: carts build, or "
+    "carts pack --teacher."
+)
+
 
 @click.command("pack")
 @click.option("--hosted", is_flag=True, help="For a web server.")
@@ -52,7 +57,8 @@ def command(
     they were open, and no answer.
 
     Students get no “Change this lesson”, which shows right answers, unless you ask for it with
-    --teacher or --teacher-word.
+    --teacher or --teacher-word. Nor do they get the page Class results, if your mkdocs.yml names
+    it; with --hosted it is there.
 
     \b
     carts pack
@@ -93,12 +99,18 @@ def command(
     click.echo(f"{out}: {size_of(out)}")
     if kind in HOW:
         click.echo(HOW[kind])
+    if here.class_results and not settings["class_results"]:
+        click.echo(YOURS)
 
 
 def _settings(kind: str, teacher: bool, word: str) -> dict[str, object]:
     """Of the site in the zip, in place of those in mkdocs.yml."""
-    settings: dict[str, object] = {"teacher_mode": teacher or bool(word)}
-    if teacher or word:  # --teacher alone asks for no word, whatever mkdocs.yml says
+    shown = teacher or bool(word)
+    settings: dict[str, object] = {
+        "teacher_mode": shown,
+        "class_results": shown or kind == "hosted",  # on the web it is the teacher's copy too
+    }
+    if shown:  # --teacher alone asks for no word, whatever mkdocs.yml says
         settings["teacher_word"] = word
     if kind == "scorm":  # a platform asks for a login: no browser need keep all of it
         settings["offline"] = False

@@ -12,6 +12,7 @@ import yaml
 
 from sim import __version__
 from sim.pages.findings import Finding, SiteError
+from sim.pages.site.lessons_only import CLASS_RESULTS, named_pages
 from sim.pages.site.settings_file import SETTINGS, not_yaml, settings_findings
 from sim.pages.site.site_id import facts_of
 
@@ -22,6 +23,7 @@ class SiteFolder:
 
     `language`: what the theme is told to speak, which may be a language that we have no words in.
     `handed_out`: the folders that students get, the built site and what is copied into it.
+    `class_results`: whether its menu names that page, which its author did not write.
     """
 
     root: Path
@@ -30,6 +32,7 @@ class SiteFolder:
     made_with: str
     handed_out: tuple[Path, ...]
     language: str = "en"
+    class_results: bool = False
 
 
 def here() -> SiteFolder:
@@ -85,7 +88,13 @@ def read(root: Path) -> SiteFolder:
             for name, usual in (("site_dir", "site"), ("docs_dir", "docs"))
         ),
         str(theme.get("language") or "en") if isinstance(theme, dict) else "en",
+        _class_results(root, settings),
     )
+
+
+def _class_results(root: Path, settings: dict[str, Any]) -> bool:
+    named = CLASS_RESULTS in named_pages(settings.get("nav"))
+    return named and not (root / str(settings.get("docs_dir") or "docs") / CLASS_RESULTS).is_file()
 
 
 def findings(root: Path) -> list[Finding]:

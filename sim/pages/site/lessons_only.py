@@ -77,6 +77,17 @@ def named_pages(nav: Any) -> Iterator[str]:
             yield from named_pages(item)
 
 
+def without_class_results(nav: Any) -> Any:
+    """The navigation of a site for students: that page is the teacher's."""
+    if isinstance(nav, list):
+        kept = [without_class_results(item) for item in nav]
+        return [item for item in kept if item not in ({}, [], None)]
+    if isinstance(nav, dict):
+        kept_ = {key: without_class_results(item) for key, item in nav.items()}
+        return {key: item for key, item in kept_.items() if item not in ([], None)}
+    return None if nav == CLASS_RESULTS else nav
+
+
 def _home(title: str, about: str, lessons: Mapping[str, Path]) -> Iterator[str]:
     yield from ("---", "hide: [navigation, toc]", "---", "", f"# {_plain(title)}", "")
     yield from ([_plain(about), ""] if about else [])

@@ -58,6 +58,7 @@ class CartsConfig(Config):  # type: ignore[no-untyped-call]
     hosted = c.Type(bool, default=False)  # for a web server (true) or for double click (false)
     teacher_word = c.Type(str, default="")  # that opens it, and all questions; empty: a click does
     teacher_mode = c.Type(bool, default=True)  # “Change this lesson” at the foot of lessons
+    class_results = c.Type(bool, default=True)  # the ready page, where the menu names it
     offline = c.Type(bool, default=True)  # hosted: readers' browsers keep the site for later
 
 
@@ -95,6 +96,8 @@ class CartsPlugin(BasePlugin[CartsConfig]):  # type: ignore[no-untyped-call]
         self.build.lessons = self.folder
         self.lessons_only = Path(config.docs_dir).resolve() == self.folder.resolve()
         usual_settings.fill_in(config, links=self.lessons_only)
+        if self.lessons_only and not self.config.class_results and config.nav is not None:
+            config.nav = lessons_only.without_class_results(config.nav)
         self.named = set(lessons_only.named_pages(config.nav))
         self.lessons = lessons_in(self.folder)
         self.build.languages = Languages.of(self.folder, root, self.lessons, report)
