@@ -15,6 +15,7 @@ import yaml
 
 from sim.cli import COMMANDS, main
 from sim.cli.reference import reference
+from sim.pages.checks.lessons import check_paths
 from sim.pages.runtime.node import node_program
 from tests.shell_lines import called, options_exist
 
@@ -69,6 +70,22 @@ def test_every_line_for_a_shell_calls_what_exists(place: str, text: str) -> None
     for line in text.splitlines():
         if line.strip() and not line.startswith("#"):
             called(line)
+
+
+WHOLE = [(place, text) for place, text in of("markdown") if text.startswith("---\ntitle")]
+
+
+@pytest.mark.parametrize(("place", "text"), WHOLE, ids=lambda one: one[:40])
+def test_a_whole_lesson_in_the_texts_has_no_mistakes(place: str, text: str, tmp_path: Path) -> None:
+    path = tmp_path / "lesson.md"
+    path.write_text(text, encoding="utf-8")
+    assert check_paths([path], tmp_path) == [], place
+
+
+def test_the_first_lesson_is_told_whole_with_a_question_that_is_marked() -> None:
+    (text,) = [text for place, text in WHOLE if place.startswith("docs/teachers/first-lesson.md")]
+    for part in ("predict:", "type: single", "correct: true", "type: long"):
+        assert part in text
 
 
 def test_the_pages_for_teachers_write_every_command_in_one_way() -> None:
