@@ -160,11 +160,11 @@ const type = (control, value) => {
   control.dispatchEvent(new window.Event("input"));
 };
 const press = (name) => one(name).dispatchEvent(new window.Event("click"));
-const choose = async (text) => {
+const choose = async (text, name = "a.md") => {
   const input = one(".carts-teach-own input");
   const bytes = new TextEncoder().encode(text);
-  const file = { name: "a.md", arrayBuffer: async () => bytes };
-  Object.defineProperty(input, "files", { value: [file] });
+  const file = { name, arrayBuffer: async () => bytes };
+  Object.defineProperty(input, "files", { value: [file], configurable: true });
   input.dispatchEvent(new window.Event("change"));
   await turn(60);
 };

@@ -67,6 +67,33 @@ def test_edits_made_while_notes_are_put_back_stay() -> None:
     assert said[1].startswith("Notes and marking guides are back")
 
 
+def test_a_file_that_is_not_the_one_of_this_lesson_is_told_so_and_changes_nothing() -> None:
+    """Of a picture, too, it was said that so many notes do not stand in it."""
+    said = at_work(
+        """
+        await begin(data.lesson);
+        await session.open();
+        const said = [];
+        for (const name of ["b.md", "carts.png", "a.md", "a.md.txt"]) {
+          await choose(name === "a.md.txt" ? data.own : "# Another", name);
+          const own = one(".carts-teach-own .carts-error");
+          said.push([own?.textContent ?? "", session.text === data.lesson]);
+        }
+        give(said);
+        """,
+        lesson=NOTED, own=OWN,
+    )  # fmt: skip
+    assert said == [
+        ["This is the file b.md; needed: a.md. Nothing was changed.", True],
+        ["carts.png is no lesson: its name would end in .md.", True],
+        [
+            "No notes or marking guides of this lesson stand in this file. Nothing was changed.",
+            True,
+        ],
+        ["", False],
+    ]
+
+
 def test_the_own_file_is_asked_for_whenever_notes_are_missing() -> None:
     said = at_work(
         """

@@ -7,7 +7,12 @@ import { hashOf } from "./source.js";
 
 /** @typedef {import("./session.js").Session} Session */
 
-/** A field for the teacher's own file. @param {string} words @param {(text: string) => void} take */
+const LESSON = /\.(md|markdown|txt)$/i; // some editors put .txt behind the name
+
+/**
+ * A field for the teacher's own file, and beside it what is wrong with the one that was chosen.
+ * @param {string} words @param {(text: string, name: string) => void | Promise<string | void>} take
+ */
 export function ownFile(words, take) {
   const label = html("label", "carts-teach-own");
   const told = html("span", "carts-error");
@@ -21,8 +26,10 @@ export function ownFile(words, take) {
     const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
     const bytes = await file.arrayBuffer().catch(() => null); // a file that is gone
     input.value = ""; // the same file may be chosen again
-    say(told, bytes ? "" : `${file.name} cannot be read.`);
-    if (bytes) take(decoder.decode(bytes));
+    let wrong = bytes ? "" : `${file.name} cannot be read.`;
+    if (!LESSON.test(file.name)) wrong = `${file.name} is no lesson: its name would end in .md.`;
+    say(told, wrong);
+    if (bytes && !wrong) say(told, (await take(decoder.decode(bytes), file.name)) || "");
   });
   label.append(html("span", "", words), " ", input, " ", told);
   return label;
@@ -50,16 +57,17 @@ export class OwnFile {
 
   #field() {
     const words = `Notes and marking guides for teachers are not in this page. To have them in what you save, choose your own file of the lesson (${this.session.name}):`;
-    return ownFile(words, (own) => void this.#take(own));
+    return ownFile(words, (own, name) => this.#take(own, name));
   }
 
-  /** @param {string} own */
-  async #take(own) {
+  /** What is wrong with the file. @param {string} own its text @param {string} name */
+  async #take(own, name) {
     this.#offer.remove();
     this.tell("Putting notes and marking guides back …");
     try {
-      const { missing, same } = await putBack(this.session, own);
-      this.tell(taken(missing, same));
+      const { missing, same, none } = await putBack(this.session, own);
+      this.tell(none ? "" : taken(missing, same));
+      if (none) return strange(name, this.session.name);
     } catch (error) {
       const { message } = /** @type {Error} */ (error);
       this.tell(`Notes and marking guides could not be put back: ${message}`);
@@ -73,6 +81,7 @@ export class OwnFile {
       );
       if (this.session.withheld) this.root.append(this.#offer);
     }
+    return "";
   }
 }
 
@@ -80,9 +89,10 @@ export class OwnFile {
 async function putBack(session, own) {
   const same = (await hashOf(own)) === session.told.hash;
   const { text, missing } = await restored(session.client, () => session.text, own);
+  const none = text === session.text;
   if (same) session.base = own;
-  session.change(text, "");
-  return { missing, same };
+  if (!none) session.change(text, "");
+  return { missing, same, none };
 }
 
 /** The teacher's own file in place of the text, as a change that can be undone. @param {Session} session @param {string} own */
@@ -90,6 +100,12 @@ function openInstead(session, own) {
   session.change(own, "");
   const { error } = session.client; // Python has gone: the pieces would not follow
   if (error) session.panel.withoutPython(error.message);
+}
+
+/** Of a file with nothing that was kept out. @param {string} name @param {string} needed */
+function strange(name, needed) {
+  if (name !== needed) return `This is the file ${name}; needed: ${needed}. Nothing was changed.`;
+  return "No notes or marking guides of this lesson stand in this file. Nothing was changed.";
 }
 
 /** @param {number} missing @param {boolean} same whether it is the published file */
