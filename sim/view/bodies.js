@@ -47,6 +47,11 @@ function hasTwoWalls(track) {
   );
 }
 
+/** @param {string} name of a cart @returns {boolean} whether it says what it is, as “truck” does and A does not */
+export function isWord(name) {
+  return name.length > 2;
+}
+
 /** @param {string} name of an end @param {Track} track @returns {string} what it is, where it need not be told from the other */
 export function kind(name, track) {
   return THINGS[whatIs(name, track)]?.().brief ?? tr("wall");

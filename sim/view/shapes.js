@@ -1,5 +1,6 @@
 /** Shapes of the world view as SVG attributes. */
 
+import { isWord } from "./bodies.js";
 import { px, short } from "./numbers.js";
 
 /** @typedef {import("./types.js").Body} Body */
@@ -20,6 +21,7 @@ const EDGE = 5; // units that a velocity arrow keeps from the edges of the pictu
 const TORN = 6; // units of the gap in an arrow that is cut
 const LINE = 14;
 const NAMED = 34;
+const LETTER = 9.5; // units of width, of a word that is a name
 const SPRING = [2, 10];
 export const PUSH = 15.5;
 const FACE = 22;
@@ -29,13 +31,15 @@ const TURNS = 9; // of a coil
 const LEAD = 5; // units of straight wire at each end of a coil
 export const COIL = 7; // half its height
 
-/** @param {Body} body @param {View} view @param {Layout} layout @param {number} lift @returns {Box} area ∝ mass, or all alike */
-export function box(body, view, layout, lift) {
+/** @param {Body} body @param {View} view @param {Layout} layout @param {number} i @param {string} [skin] whose lines a word would hide @returns {Box} area ∝ mass, or all alike */
+export function box(body, view, layout, i, skin) {
+  const lift = layout.stagger * (i % layout.ranks);
   const width = bodyWidth(body);
   const wanted = REFERENCE_HEIGHT * (view.alike ? 1 : body.mass / width / view.perHeight);
   const cut = wanted > TALLEST * REFERENCE_HEIGHT * (1 + 1e-9);
   const height = Math.min(wanted, TALLEST * REFERENCE_HEIGHT);
-  const named = height >= NAMED;
+  const word = isWord(body.name) ? body.name.length * LETTER : 0;
+  const named = height >= NAMED && (!word || (!skin && word < width * layout.scale));
   const mass = `${short(body.mass)} kg`;
   return {
     x: (-width * layout.scale) / 2,

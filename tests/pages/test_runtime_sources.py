@@ -12,7 +12,8 @@ from pathlib import Path
 import pytest
 
 from sim.pages.runtime import MissingSourceError, pack
-from sim.pages.runtime.cache import Cache, sha256
+from sim.pages.runtime import cache as cache_room
+from sim.pages.runtime.cache import Cache, default_cache, sha256
 from sim.pages.runtime.ours import NOT_IN_CLASS, NOT_RUN, read_classroom
 from sim.pages.runtime.pack import PACKAGE
 from sim.pages.runtime.places import Place
@@ -133,3 +134,19 @@ def test_what_a_page_does_not_carry_is_there_to_be_left_out() -> None:
     ours = Path(PACKAGE)
     assert [name for name in NOT_RUN if not any(ours.rglob(name))] == []
     assert [path for path in NOT_IN_CLASS if not (ours / path).is_file()] == []
+
+
+def test_a_second_site_takes_what_this_copy_of_the_project_has_downloaded(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each new site fetched 106 MB again."""
+    monkeypatch.delenv("CARTS_CACHE", raising=False)
+    ours, site = tmp_path / "ours", tmp_path / "site"
+    monkeypatch.setattr(cache_room, "OURS", ours)
+    assert default_cache(site) == site / ".cache"  # an installed wheel
+    ours.mkdir()
+    assert default_cache(site) == ours
+    (site / ".cache").mkdir(parents=True)
+    assert default_cache(site) == site / ".cache"  # as it was
+    monkeypatch.setenv("CARTS_CACHE", str(tmp_path / "told"))
+    assert default_cache(site) == tmp_path / "told"

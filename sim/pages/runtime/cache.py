@@ -17,6 +17,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 STAMP = "stamp.json"
+OURS = Path(__file__).parents[3] / ".cache"
+"""Of the copy of this project that runs; an installed wheel has none, and needs none."""
 
 
 def sha256(data: bytes) -> str:
@@ -105,5 +107,9 @@ def _intact(folder: Path) -> bool:
 
 
 def default_cache(start: Path) -> Path:
-    """Return the cache folder: CARTS_CACHE if that is set, else `.cache` below `start`."""
-    return Path(os.environ.get("CARTS_CACHE") or start / ".cache").expanduser().resolve()
+    """Return the cache folder: CARTS_CACHE if that is set, else `.cache` below `start`, else that
+    of the copy of this project that we run from, so that a second site downloads nothing."""
+    own = start / ".cache"
+    if not own.is_dir() and OURS.is_dir() and os.access(OURS, os.W_OK):
+        own = OURS
+    return Path(os.environ.get("CARTS_CACHE") or own).expanduser().resolve()

@@ -134,7 +134,7 @@ def _in_scene(path: KeyPath) -> tuple[str, str] | None:
         case (str(key),) if key in SCENE_ALONE:
             return "", SCENE_ALONE[key]
         case ("carts", str(name), str(key)):
-            return f"Cart {name}", key.replace("_", " ")
+            return name if len(name) > 2 else f"Cart {name}", key.replace("_", " ")
         case ("contact", str(key)):
             return "Contact", key
         case ("contact", "pairs", str(pair), str(key)):

@@ -3,6 +3,7 @@
  * Warnings stand below the sliders, so that no slider moves away under a finger when one comes or goes.
  */
 
+import { isWord } from "../bodies.js";
 import { effectOf } from "../effects.js";
 import { tr } from "../language.js";
 import { MARKERS, styleOf } from "../markers.js";
@@ -44,7 +45,7 @@ function cartCards(baked) {
   const { fence, run } = baked;
   return run.header.bodies.map(({ name }, i) => {
     const style = `carts-${styleOf(i)}`;
-    const title = tr("Cart {name}", { name });
+    const title = isWord(name) ? name : tr("Cart {name}", { name });
     const own = fence.controls.filter(({ set }) => ownerOf(set) === name);
     return html`<div class="carts-card ${style}" role="group" aria-label=${title} data-body=${name}>
 <p class="carts-heading"><svg class="carts-swatch" viewBox="0 0 26 12" width="26" height="12" aria-hidden="true"><path class="carts-curve ${style}" d="M0 6H26"/><path class="carts-dot ${style}" d=${MARKERS[styleOf(i)]} transform="translate(13 6)"/></svg>${title}</p>

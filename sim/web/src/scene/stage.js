@@ -57,7 +57,7 @@ export class Stage {
     this.#run = run;
     const { layout, view } = this;
     const boxes = run.header.bodies.map((body, i) =>
-      shapes.box(body, view, layout, layout.stagger * (i % layout.ranks)),
+      shapes.box(body, view, layout, i, this.skins[body.name]),
     );
     this.torn = boxes.some((box) => box.cut);
     const tallest = Math.max(...boxes.map((box) => box.height));

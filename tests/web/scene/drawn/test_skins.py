@@ -74,3 +74,36 @@ def drawn_cart(skin: str) -> dict[str, Any]:
         "box": dict(re.findall(r'\b(x|y|width|height)="([-\d.]+)"', box[0])),
         "wheels": 'data-part="wheels"' in cart,
     }
+
+
+def renamed(name: str) -> str:
+    carts = {name if one == "A" else one: cart for one, cart in MEETING["carts"].items()}
+    return render(*baked({"id": "named", "carts": carts, "until": 3}))
+
+
+def test_a_cart_whose_name_is_a_word_has_it_as_its_head() -> None:
+    assert 'aria-label="Cart A"' in renamed("A")
+    page = renamed("truck")
+    assert "Cart truck" not in page
+    assert 'role="group" aria-label="truck"' in page
+
+
+@pytest.mark.parametrize(
+    ("name", "skin", "above"),
+    [("A", "truck", False), ("M1", "cart", False), ("car", "cart", False), ("car", "truck", True),
+     ("locomotive", "cart", True)],
+)  # fmt: skip
+def test_a_word_stands_above_a_cart_that_is_too_narrow_for_it_or_has_lines(
+    name: str, skin: str, above: bool
+) -> None:
+    """“truck” lay over the lines of its drawing, and “car” stuck out of its cart."""
+    made = in_node(
+        """const { box } = await import(view + "/shapes.js");
+        const body = { name: data.name, mass: 1, length: 0.2, bumper_length: 0.04 };
+        const layout = { stagger: 17, ranks: 1, scale: 300 };
+        const skin = data.skin === "cart" ? undefined : data.skin;
+        give(box(body, { perHeight: 1 }, layout, 0, skin));""",
+        {"name": name, "skin": skin},
+    )
+    assert (made["nameY"] is None) is above
+    assert made["label"] == (f"{name}: 1 kg" if above else "1 kg")
