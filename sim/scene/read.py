@@ -10,11 +10,12 @@ from typing import Any
 from sim.scene.effects import kinds
 from sim.scene.fields import CART, GRAVITY, IN_OTHER_WORDS, SKINS, TRACK_LENGTH, UNTIL
 from sim.scene.model import Cart, Scene
-from sim.scene.problem import Path, Problem, SceneError, did_you_mean, meant, nearest
+from sim.scene.problem import Path, Problem, SceneError, meant, nearest
 from sim.scene.reading.contact import read_contacts
 from sim.scene.reading.effects import check_room, read_effects, read_estimates
 from sim.scene.reading.gaps import approaches, gaps_of, refuse_overlap
 from sim.scene.reading.written import read_written
+from sim.scene.said import said
 from sim.scene.tables import mapping, number, unknown_keys
 from sim.scene.track import read_track
 
@@ -164,9 +165,10 @@ def _cart(table: Mapping[str, Any], path: Path, problems: list[Problem]) -> dict
     unknown_keys(table, (*keys, "skin"), path, problems, elsewhere=everyday)
     if (skin := table.get("skin", SKINS[0])) not in SKINS:
         message = f"no skin “{str(skin)[:40]}”"
-        close = did_you_mean(skin, SKINS, "")
-        listed = f"one of {', '.join(SKINS)}"
-        hint = f"{close} ({listed})" if close else listed
+        close, listed = nearest(str(skin), SKINS), ", ".join(SKINS)
+        hint = f"one of {listed}"
+        if close:
+            hint = said("did you mean {name}? There are {names}", name=f"“{close}”", names=listed)
         problems.append(Problem((*path, "skin"), "not-a-choice", message, hint))
     misspelt = {
         IN_OTHER_WORDS.get(str(key)) or nearest(str(key), keys) for key in table if key not in keys

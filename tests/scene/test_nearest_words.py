@@ -66,7 +66,7 @@ def test_a_word_that_is_near_to_none_is_answered_with_those_there_are(
 def test_a_skin_that_is_none_is_answered_with_all_of_them() -> None:
     """Of “car” the author read only “cart”, and never of vans and trucks."""
     (problem,) = problems(carts={"A": {"mass": 1, "position": 0, "skin": "car"}})
-    assert problem.hint.startswith("did you mean “cart”? (one of cart, van, truck,")
+    assert problem.hint.startswith("did you mean “cart”? There are cart, van, truck,")
 
 
 @pytest.mark.parametrize("name", kinds())
@@ -164,3 +164,9 @@ def test_a_force_of_one_instant_is_not_asked_for(asked: dict[str, Any]) -> None:
     spring = {"spring": {"stiffness": 5, "length": 0.1, "between": ["A", "B"]}}
     sudden = {"carts": TWO, "contact": {"law": "instant"}, "effects": [spring]}
     assert read_fence({"id": "one", **sudden, "predict": asked}).predict
+
+
+def test_the_example_of_an_effect_stands_in_a_sentence_of_the_language_of_the_page() -> None:
+    (problem,) = problems(effects=[{"brake": {}}])
+    words = {"did you mean {name}? For example {example}": "maksudnya {name}? Contohnya {example}"}
+    assert in_words(problem.hint, words).startswith("maksudnya “friction”? Contohnya - friction: ")

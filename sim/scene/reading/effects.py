@@ -10,7 +10,8 @@ from typing import Any
 
 from sim.scene.effects import Effect, EffectKind, kinds
 from sim.scene.model import Scene, Track
-from sim.scene.problem import Path, Problem, meant, nearest
+from sim.scene.problem import Path, Problem, nearest
+from sim.scene.said import said
 from sim.scene.tables import mapping, number, unknown_keys
 
 MOST_EFFECTS = 2000
@@ -133,7 +134,7 @@ def _effect_meant(name: str, names: list[str]) -> str:
         return f"effects: {', '.join(kinds())}; for example {first.example}"
     own = dict(zip("AB", names, strict=False))
     example = re.sub(r"\b[AB]\b", lambda one: own.get(one[0], one[0]), kinds()[close].example)
-    return f"{meant(close)} For example {example}"
+    return said("did you mean {name}? For example {example}", name=f"“{close}”", example=example)
 
 
 def _numbers(
