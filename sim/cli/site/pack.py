@@ -96,11 +96,9 @@ def command(
             page = open_me(here.title, of_page(None, "", here.language))
             (site / OPEN_ME).write_text(page, encoding="utf-8", newline="\n")
         pack_site(site, out, scorm=(here.title, here.site_id) if kind == "scorm" else None)
-    click.echo(f"{out}: {size_of(out)}")
-    if kind in HOW:
-        click.echo(HOW[kind])
-    if here.class_results and not settings["class_results"]:
-        click.echo(YOURS)
+    left_out = here.class_results and not settings["class_results"]
+    told = (f"{out}: {size_of(out)}", HOW.get(kind), YOURS if left_out else None)
+    click.echo("\n".join(filter(None, told)))
 
 
 def _settings(kind: str, teacher: bool, word: str) -> dict[str, object]:
