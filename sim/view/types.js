@@ -34,7 +34,7 @@
  * @typedef {{kind: string, width: number, height: number, origin: number, scale: number, low: number, high: number, lanes: number,
  *   ranks: number, stagger: number, track: number, rows: number[], beam: number, force: number, velocity: number,
  *   slots: Record<string, number>, tape: number, tilt: number, above: boolean}} Layout
- * @typedef {{perHeight: number, alike: boolean, tallest: number, mayTear: boolean, force: number, velocity: number,
+ * @typedef {{perHeight: number, alike: boolean, tallest: number, mayTear: boolean, gives: number, force: number, velocity: number,
  *   decimals: Record<string, number>, reach: Record<string, [number, number, number, number]>, layouts: Layout[]}} View
  *
  * What `sim/effects/<kind>/view.js` says of an effect; whatever it leaves out, the drawing has a plain answer for:

@@ -32,7 +32,9 @@ def baked_values(fence: Any, header: Mapping[str, Any], numbers: Sequence[float]
     if not told:
         run, header = run.start(), _untold(header)
     roomy = with_longest_track(header, fence.controls)
-    scales = read_scales(roomy, fence.controls, run if told else None, fence.view_speed)
+    presets = [numbers_of(fence.plain, changes) for changes in fence.presets.values()]
+    known = run if told else None
+    scales = read_scales(roomy, fence.controls, known, fence.view_speed, presets)
     scales = replace(scales, alike=fence.boxes == "alike")
     return {
         **header,
@@ -72,6 +74,7 @@ def _view(fence: Any, header: Mapping[str, Any], scales: Scales) -> dict[str, An
         "alike": scales.alike,
         "tallest": scales.tallest,
         "mayTear": scales.may_tear,
+        "gives": scales.gives,
         "force": scales.force,
         "velocity": scales.velocity,
         "decimals": scales.decimals,

@@ -6,16 +6,16 @@ answer. Forces are estimated from the start state and from what the sliders reac
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from sim.pages.widget.effects_scale import greatest_force, kept_apart
+from sim.pages.widget.elastic import elastic_force, wall_gives
 from sim.pages.widget.numbers import decimals_for, decimals_for_all, exponent, speed_unit
 from sim.pages.widget.reach import Reach, picture_window, reaches
 from sim.pages.widget.run import Run
 from sim.scene.fence.controls import Control
-from sim.scene.laws import power_of
 
 REFERENCE_HEIGHT = 38.0  # px, of the cart with the least mass per length
 ROOM_TO_GUESS = 1.7  # a prediction's longest arrow, over the estimate: the scale tells nothing
@@ -35,13 +35,21 @@ class Scales:
     velocity: float  # m/s, of the longest velocity arrow
     decimals: Mapping[str, int]  # of printed values, velocities in the unit of the scene
     reach: Mapping[str, Reach]  # of the axis of each graph
+    gives: float = 0.0  # m, how far the softest wall of the ready-made settings gives way
     alike: bool = False  # whether all boxes are drawn of one size, whatever their masses
 
 
 def read_scales(
-    header: Mapping[str, Any], controls: tuple[Control, ...], run: Run | None, camera: float
+    header: Mapping[str, Any],
+    controls: tuple[Control, ...],
+    run: Run | None,
+    camera: float,
+    presets: Iterable[Mapping[str, float]] = (),
 ) -> Scales:
-    """The scales of a scene; `run` None where a prediction comes first. Camera speed in m/s."""
+    """The scales of a scene; `run` None where a prediction comes first. Camera speed in m/s.
+
+    `presets`: the numbers of its ready-made settings, whose forces and walls are compared.
+    """
     variants = list(_variants(header, controls))
     loads = [b["mass"] / body_width(b) for b in header["bodies"]]
     per_height = min(loads)
@@ -78,7 +86,14 @@ def read_scales(
     axis_force = force if run is not None else force / ROOM_TO_GUESS
     reach = reaches(seen, picture_window(header, camera), axis_force, per)
     may_tear = reached / per_height > TALLEST * (1 + 1e-9)
-    return Scales(per_height, tallest, may_tear, force, velocity, decimals, reach)
+    compared = [_changed(header, numbers) for numbers in presets]
+    if compared:  # one axis for all, so that a larger force is seen to be larger
+        most = max(
+            (elastic_force(one, c) for one in compared for c in one["contacts"]), default=0.0
+        )
+        reach["F"] = Reach(0.0, most, 1.0, 0.0)
+    gives = max(map(wall_gives, compared), default=0.0)
+    return Scales(per_height, tallest, may_tear, force, velocity, decimals, reach, gives)
 
 
 def body_width(body: Mapping[str, Any]) -> float:
@@ -92,13 +107,19 @@ def _variants(
     """The scene itself, and with each slider alone at either end."""
     yield header
     for control in controls:
-        owner, _, key = control.set.partition(".")
         for end in (control.low, control.high):
-            bodies = [{**b, key: end} if b["name"] == owner else b for b in header["bodies"]]
-            contacts = header["contacts"]
-            if owner == "contact" and key == "stiffness":
-                contacts = [{**c, key: end} if c["stiffness"] else c for c in contacts]
-            yield {**header, "bodies": bodies, "contacts": contacts}
+            yield _changed(header, {control.set: end})
+
+
+def _changed(header: Mapping[str, Any], numbers: Mapping[str, float]) -> Mapping[str, Any]:
+    """The scene with other numbers of its carts and contacts."""
+    bodies, contacts = header["bodies"], header["contacts"]
+    for target, value in numbers.items():
+        owner, _, key = target.partition(".")
+        bodies = [{**b, key: value} if b["name"] == owner else b for b in bodies]
+        if target == "contact.stiffness":
+            contacts = [{**c, key: value} if c["stiffness"] else c for c in contacts]
+    return {**header, "bodies": bodies, "contacts": contacts}
 
 
 def full_scale(value: float) -> float:
@@ -121,7 +142,7 @@ def _reachable_force(
     for k, contact in enumerate(header["contacts"]):
         if contact["pair"] in apart:
             continue  # their bumpers never meet
-        estimates = [_elastic_force(variant, variant["contacts"][k]) for variant in variants]
+        estimates = [elastic_force(variant, variant["contacts"][k]) for variant in variants]
         column = () if run is None else run.F.get(contact["pair"], ())
         meeting = [
             force
@@ -144,21 +165,3 @@ def _closing(header: Mapping[str, Any], between: Sequence[str]) -> bool:
     speeds = {b["name"]: b["velocity"] for b in header["bodies"]}
     left, right = (speeds.get(name, 0.0) for name in between)
     return bool(left > right)
-
-
-def _elastic_force(header: Mapping[str, Any], contact: Mapping[str, Any]) -> float:
-    """Greatest force in N of an elastic contact at the greatest closing speed in the scene.
-
-    All energy in the spring, k d^(p+1)/(p+1) = ½ mu u², and the force is k d^p.
-    """
-    k = contact["stiffness"]
-    if not k:
-        return 0.0
-    masses = {b["name"]: b["mass"] for b in header["bodies"]}
-    speeds = [b["velocity"] for b in header["bodies"]]
-    inverse = sum(1 / masses[name] for name in contact["bodies"] if name in masses)
-    walled = any(name not in masses for name in contact["bodies"])
-    closing = max(map(abs, speeds)) if walled else max(speeds) - min(speeds)
-    p = power_of(contact["law"])
-    squeeze = ((p + 1.0) * closing**2 / (2.0 * k * inverse)) ** (1.0 / (p + 1.0))
-    return float(k * squeeze**p)

@@ -54,7 +54,7 @@ ${asked && predict(baked, asked)}
 ${near(baked)}
 ${panel(baked)}
 ${views(baked)}
-<div class="carts-results"${asked && html` hidden`}>
+<div class="carts-results" id="${id}-graphs"${asked && html` hidden`}>
 <div class="carts-graphs-bar"><details class="carts-more carts-choose"><summary>${tr("Choose what to see")}</summary><div class="carts-choices"></div></details><label>${tr("Time axis")} <select class="carts-window" disabled><option value="">${tr("whole run")}</option></select></label></div>
 <div class="carts-graphs">
 ${quantities.map((quantity) => graph(baked, quantity))}

@@ -124,17 +124,19 @@ function legend({ fence, view }, layout) {
   const text = (/** @type {number} */ x, /** @type {string} */ said) =>
     html`<text x=${px(x)} y=${px(y + 5)}>${said}</text>`;
   const force = fence.forces === "shown" && view.force > 0;
+  const asked = fence.predict?.kind === "arrows" ? "" : "carts-unasked"; // its arrows are drawn in this scale
   const word = tr("scale:");
   const start = layout.above ? 12 : 12 + roomOf(word) + 4;
-  const x = force ? start + layout.force + 58 : start;
-  const next = x + layout.velocity + 6;
+  const next = start + layout.velocity + 6;
+  const x = next + 68;
+  const end = force ? x + layout.force + 6 : next;
   const axis = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
   const moving = wide ? tr("position on the track in m") : tr("track in m");
   return html`<g class="carts-legend">
 <text x="12" y=${px(layout.above ? y - 9 : y + 5)}>${word}</text>
-${force && html`<path class="carts-block-arrow" d=${blockArrow(start, y, layout.force)}/>${text(start + layout.force + 6, `${short(view.force)} N`)}`}
-<path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text(next, `${short(view.velocity / per)} ${unit}`)}
-${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
+<path class="carts-line-arrow" d=${lineArrow(start, y, layout.velocity)}/>${text(next, `${short(view.velocity / per)} ${unit}`)}
+${force && html`<g class=${asked}><path class="carts-block-arrow" d=${blockArrow(x, y, layout.force)}/>${text(end, `${short(view.force)} N`)}</g>`}
+${wide && html`<text class="carts-torn" data-now="no" x=${px(end + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
 <text x=${px(layout.width - 12)} y=${px(y + 5)} text-anchor="end">${fence.camera ? moving : axis}</text>
 </g>`;
 }

@@ -44,3 +44,18 @@ def test_no_number_of_an_axis_is_cut_off_or_small_on_a_phone(
     expect(page.locator(".carts-measured-figure .carts-tick-x").last).to_have_text("2.0")
     assert page.evaluate(CUT) == []
     assert min(page.locator(LABELS).evaluate_all(HEIGHTS)) >= 12  # px
+
+
+def test_on_a_phone_the_fit_stands_below_its_sliders_and_says_what_it_found_there(
+    tmp_path: Path, open_page: OpenPage
+) -> None:
+    page = open_page(build_measured(tmp_path) / "film.html")
+    page.set_viewport_size({"width": 360, "height": 740})
+    expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
+    fit = page.locator(".carts-measured-fit")
+    expect(fit).to_be_visible()
+    tops = [
+        part.evaluate("(part) => { part.hidden = false; return part.getBoundingClientRect().top; }")
+        for part in (fit, *(page.locator(f".carts-measured-{n}") for n in ("result", "masses")))
+    ]
+    assert tops == sorted(tops)

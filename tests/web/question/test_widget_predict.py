@@ -204,3 +204,15 @@ def test_an_option_or_a_sentence_is_enough(shared_page: SharePage, widget_site: 
     expect(page.locator("#words .carts-saved")).to_have_text("Saved.")
     page.reload()
     expect(page.locator("#words .carts-words")).to_have_value("It turns back, <b>I think</b>.")
+
+
+@pytest.mark.one_browser
+def test_what_is_locked_is_no_form_any_more(shared_page: SharePage, widget_site: Path) -> None:
+    """It stood there greyed, with its button, until all of the run was seen: as if not done."""
+    page = live(shared_page(widget_site / "choice.html"), "choice")
+    page.get_by_label("It stops", exact=True).check()
+    page.locator("#choice .carts-lock").click()
+    expect(page.locator("#choice .carts-lock")).to_be_hidden()
+    assert page.locator("#choice .carts-compared").is_hidden()
+    labels = page.locator("#choice .carts-options label").locator("visible=true")
+    assert labels.all_inner_texts() == ["It stops"]

@@ -89,6 +89,20 @@ def test_the_lens_shows_where_the_wall_was(foam: Page) -> None:
     assert line_in_the_lens(foam)
 
 
+def test_at_the_end_the_lens_shows_the_touch_that_was(foam: Page) -> None:
+    """It was empty, but for a name on either side."""
+    note = foam.locator("#foam .carts-lens-note")
+    on_scene(foam, "el.time = 0;", name="foam")
+    expect(note).to_contain_text("apart")
+    assert not line_in_the_lens(foam)
+    on_scene(foam, "el.time = 3;", name="foam")
+    expect(note).to_contain_text("A and the wall: squeezed by")
+    expect(foam.locator('#foam .carts-lens [data-part="when"]')).to_have_text(
+        "when they pushed hardest"
+    )
+    assert line_in_the_lens(foam)
+
+
 def line_in_the_lens(page: Page) -> bool:
     """Whether all of the dashed line is in the drawing."""
     inside: bool = on_scene(

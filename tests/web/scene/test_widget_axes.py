@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from sim.pages.widget import render
+from sim.pages.widget.baked import baked_values
 from sim.pages.widget.run import from_wire
 from sim.pages.widget.scale_of import read_scales
 from tests.web.scene.given.widget_site import COASTING, FENCES, MEETING, QUESTIONS, STRUCK, baked
@@ -153,3 +154,28 @@ def test_a_short_run_has_decimals_of_its_time_and_a_light_cart_of_its_momentum()
     fence, header, numbers = baked(MEETING)
     decimals = read_scales(header, fence.controls, from_wire(header, numbers), 0.0).decimals
     assert (decimals["t"], decimals["p"]) == (3, 2)
+
+
+def test_ready_made_settings_are_compared_on_one_axis_of_forces_and_through_one_lens() -> None:
+    """Foam and wall looked alike: 2 N of 4 N, and 11 N of 12 N."""
+    foam = {"contact.stiffness": "40 N/m"}
+    wall = {"contact.stiffness": "1000 N/m"}
+    cart = {"mass": "0.5 kg", "position": "0.5 m", "velocity": "0.5 m/s", "bumper_length": "0 m"}
+    views = []
+    for stiffness in (40, 1000):
+        fence = {
+            "id": "things",
+            "carts": {"A": cart},
+            "track": {"length": "1.2 m", "right": "wall"},
+            "contact": {"restitution": 0.6, "stiffness": stiffness},
+            "until": "3 s",
+            "predict": {"choice": ["It stops", "It turns back"]},
+            "presets": {"foam": foam, "wall": wall},
+        }
+        described, header, numbers = baked(fence)
+        view = baked_values(described, header, numbers)["view"]
+        views.append((view["reach"]["F"], view["gives"]))
+        assert max(from_wire(header, numbers).F["A-right"]) <= view["reach"]["F"][1] * 1.01
+    assert views[0] == views[1]
+    assert views[0][0][3] == 0  # no limit by what one run needs
+    assert views[0][1] == pytest.approx(0.056, abs=0.001)  # m, of the foam

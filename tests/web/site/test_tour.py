@@ -165,3 +165,27 @@ def test_a_hint_covers_no_cart_beside_letters_twice_as_large(
     scene.dispatch_event("keyup")
     page.wait_for_timeout(SETTLED)
     clear_in(scene, (SMALL, LAPTOP))
+
+
+NUMBERS = """(card) => {
+  const own = card.getBoundingClientRect();
+  return [...document.querySelectorAll(".carts-number")].filter((one) => {
+    const { left, right, top, bottom, width } = one.getBoundingClientRect();
+    const tails = 3; // px of room below a line, which figures have not
+    const beside = right <= own.left || left >= own.right;
+    return width && !beside && own.top < bottom - tails && top < own.bottom;
+  }).map((one) => one.textContent);
+}"""
+
+
+@pytest.mark.one_browser
+def test_a_hint_on_the_scale_leaves_the_numbers_of_the_ruler_free(
+    site: Path, open_page: OpenPage
+) -> None:
+    page = open_page(site / "physics" / "effects" / "push.html", folder=site, viewport=SMALL)
+    scene = page.locator("carts-scene").first
+    expect(scene).to_have_attribute("data-state", "live", timeout=LIVE)
+    scene.evaluate("scene => { scene.time = 60; scene.dispatchEvent(new Event('keyup')); }")
+    expect(hint(page)).to_contain_text("Pull the time back")
+    expect(hint(page)).to_have_attribute("data-at", "low")
+    assert hint(page).evaluate(NUMBERS) == []

@@ -46,6 +46,7 @@ export class Predict {
     this.locked = (/** @type {boolean} */ now) => {
       draw([]); // the carts leave the place for which it was drawn; the comparison shows it again
       say(need(root, ".carts-heading"), tr("Your prediction")); // nothing is asked any more
+      root.classList.add("carts-locked");
       locked(now);
     };
     this.#keeping = new Keeping(root, baked.fence.id, signal);
@@ -153,7 +154,6 @@ export class Predict {
     }
     this.why.show(why ?? "");
     this.again.offer();
-    this.root.classList.add("carts-locked");
   }
 
   /** @returns {string} the comparison as it is read out */

@@ -19,7 +19,7 @@ import { need, put, say } from "../shared/dom.js";
 
 const PER_CHARACTER = 9.1; // units, of the bold names on the beam in a wide font
 const ROW = 21; // units between two rows of names
-const GAP = 8; // units between a name and the place of contact or a wall
+const GAP = 12; // units between a name and the place of contact or a wall: two names keep twice as much
 const EDGE = 6; // units that names keep from the edges of the picture
 
 export class Pushes {

@@ -203,3 +203,27 @@ def test_two_that_part_and_touch_anew_at_one_instant_have_touched_twice() -> Non
         ("A-B", pytest.approx(0.50277, abs=1e-5)),
         ("B-C", pytest.approx(0.50277, abs=1e-5)),
     ]
+
+
+NAMED = """const { Pushes } = await import(`${source}/scene/pushes.js`);
+const part = () => ({ kept: {}, getAttribute(name) { return this.kept[name]; },
+  setAttribute(name, value) { this.kept[name] = value; } });
+const groups = ["A", "B"].map(() => ({ text: part(), arrow: part(),
+  querySelector(name) { return name.includes("text") ? this.text : this.arrow; } }));
+const root = { querySelector: (name) => groups[name.includes('on="A"') ? 0 : 1] };
+const layout = { origin: 12, scale: 100, width: 350, track: 99, rows: [120], force: 58, slots: {} };
+const pushes = new Pushes(root, layout, { force: 1.5, decimals: { F: 2 } });
+const bodies = ["A", "B"];
+const header = { contacts: [{ pair: "A-B", bodies }], track: {}, bodies: [], effects: [] };
+const trajectory = { t: [0, 1], F: { "A-B": [0.12, 0.12] }, dF: { "A-B": [0, 0] } };
+pushes.show({ header, trajectory }, [{ pair: "A-B", bodies, start: 0, end: 1 }]);
+pushes.at(0.5, () => 170);
+give(groups.map(({ text }) => [text.textContent, text.kept["text-anchor"], +text.kept.x]));"""
+
+
+def test_two_names_of_forces_are_two() -> None:
+    """“on A by B: 0.12 N on B by A: 0.12 N” read as one."""
+    (first, end, left), (second, start, right) = in_node(NAMED, None)
+    assert (first, end) == ("on A by B: 0.12 N", "end")
+    assert (second, start) == ("on B by A: 0.12 N", "start")
+    assert right - left >= 24  # units, about pixels: five blanks

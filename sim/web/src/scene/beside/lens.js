@@ -1,8 +1,9 @@
 /**
  * The place of contact, ten times as large as in the picture: bumpers that give way and recover,
  * and the two forces on the scale of the picture. It looks at the touch that is on, else at the one
- * that comes next, else at the last. Where a wall gives way further than the lens can show, it enlarges
- * less, so that the line where the wall was stays in view.
+ * that comes next, else at the last; at the end of the run, or where the two are out of its view, at the
+ * instant in which they pushed hardest. Where a wall gives way further than the lens can show, in this run or
+ * in a ready-made setting, it enlarges less, so that the line where the wall was stays in view.
  */
 
 import { bodiesOf, isWall, kind, whatIs } from "../../../../view/bodies.js";
@@ -14,6 +15,7 @@ import { fixed, NOISE, px, short } from "../../../../view/numbers.js";
 import { niceAbove } from "../../../../view/scales.js";
 import { arrowLength, blockArrow, coil, cutArrow, isCut, spring } from "../../../../view/shapes.js";
 import { valueAt } from "../../../../view/trajectory.js";
+import { latestTouch } from "../../../../view/windows.js";
 import { need, onResize, put, say } from "../../shared/dom.js";
 import { drawThing } from "./lens-thing.js";
 
@@ -70,7 +72,7 @@ export class Lens {
 
   /** As large as this run allows, and a bar that tells how large. */
   #enlarge() {
-    const give = this.#run ? wallGives(this.#run) : 0;
+    const give = Math.max(this.view.gives, this.#run ? wallGives(this.#run) : 0);
     const room = WIDTH / 2 - MARGIN;
     const times = TIMES.find((one) => give * one * this.#picture <= room) ?? 1;
     this.#perMetre = times * this.#picture;
@@ -93,7 +95,9 @@ export class Lens {
   /** @param {number} t in s */
   at(t) {
     const run = this.#run;
-    const touch = this.#windows.find(({ end }) => t <= end) ?? this.#windows.at(-1);
+    const coming = this.#windows.find(({ end }) => t <= end);
+    const past = latestTouch(this.#windows, t);
+    const touch = coming ?? past;
     put(this.plot, "visibility", touch ? "visible" : "hidden");
     this.root.classList.toggle(
       "carts-is-slow",
@@ -101,6 +105,17 @@ export class Lens {
     );
     if (!run || !touch) return say(this.note, tr("Nothing touches in this run."));
     this.#t = t;
+    const faces = [this.#side(run, touch, 0).face, this.#side(run, touch, 1).face];
+    const out = (Number(faces[1]) - Number(faces[0])) * this.#perMetre > WIDTH;
+    const over = past && t > past.end && (out || t >= run.header.until);
+    say(need(this.root, '[data-part="when"]'), over ? tr("when they pushed hardest") : "");
+    if (over) this.#t = hardest(run, past);
+    this.#show(run, over ? past : touch);
+  }
+
+  /** @param {Run} run @param {Touch} touch */
+  #show(run, touch) {
+    const t = this.#t;
     const [left, right] = [this.#side(run, touch, 0), this.#side(run, touch, 1)];
     const overlap = Math.max(0, left.face - right.face);
     const give = Math.min(overlap, left.bumper + right.bumper);
@@ -182,6 +197,14 @@ export class Lens {
     const wall = wallAt(side === "left" ? "left" : "right", length, this.layout, 0);
     return (depthOf(what, wall, this.layout) / this.layout.scale) * this.#perMetre;
   }
+}
+
+/** When they pushed hardest, or touched. @param {Run} run @param {Touch} touch */
+function hardest({ header }, { pair, start, end }) {
+  const peak = header.events.find(
+    (one) => one.kind === "peak" && one.bodies.join("-") === pair && one.t >= start && one.t <= end,
+  );
+  return peak?.t ?? start;
 }
 
 /** How far a wall gives way at most: what the bumper of the cart at it does not. @param {Run} run @returns {number} in m */

@@ -52,7 +52,9 @@ export class ImpulseLayer {
       t >= touch.end
         ? tr("{names}, shaded area: {amount}", { names, amount })
         : tr("{names}, shaded area so far: {amount}", { names, amount });
-    say(this.note, tr("{values}, all in N\u00a0s.", { values: [shaded, ...parts].join("; ") }));
+    const values = [shaded, ...parts].join("; ");
+    const told = parts.length ? tr("{values}, all in N\u00a0s.", { values }) : `${values} N\u00a0s`;
+    say(this.note, told);
   }
 }
 
