@@ -24,3 +24,36 @@ def test_nobody_tabs_through_a_menu_that_is_closed(site: Path, open_page: OpenPa
     expect(
         page.locator(".md-sidebar--primary").get_by_text("Newton's third law", exact=True)
     ).to_be_visible()
+
+
+@pytest.mark.one_browser
+def test_the_part_that_was_pressed_is_the_one_that_is_marked(
+    site: Path, open_page: OpenPage
+) -> None:
+    """The theme measures from the first thing in its main part: ours stood there, for paper."""
+    page = open_page(
+        site / "worksheets" / "newtons-first-law.html",
+        folder=site,
+        viewport={"width": 1366, "height": 768},
+    )
+    expect(page.locator(".carts-bar[data-ready]")).to_have_count(1)
+    parts = page.locator(".md-nav--secondary a.md-nav__link").locator("visible=true")
+    parts.nth(2).click()
+    expect(parts.nth(2)).to_have_class("md-nav__link md-nav__link--active")
+    folded = page.locator(".md-sidebar--primary a[href^='ta/']")
+    assert folded.count() > 0
+    assert not any(link.is_visible() for link in folded.all())
+
+
+@pytest.mark.one_browser
+def test_in_a_low_window_head_and_foot_leave_with_the_page(site: Path, open_page: OpenPage) -> None:
+    """A laptop at 200 %: 300 px were left between them."""
+    page = open_page(
+        site / "worksheets" / "newtons-first-law.html",
+        folder=site,
+        viewport={"width": 683, "height": 384},
+    )
+    expect(page.locator(".carts-bar[data-ready]")).to_have_count(1)
+    page.evaluate("scrollTo(0, 1000)")
+    for part in (".md-header", ".carts-bar"):
+        expect(page.locator(part)).not_to_be_in_viewport()

@@ -37,8 +37,9 @@ export class Bar {
     this.who.setAttribute("type", "button");
     this.who.addEventListener("click", openPanel);
     this.meter = document.createElement("progress");
-    this.meter.setAttribute("aria-label", tr("answered on this page, predictions too"));
     this.count = html("span", "carts-bar-count");
+    this.count.title = tr("answered on this page, predictions too");
+    this.meter.setAttribute("aria-label", this.count.title);
     const button = html("button", "carts-button carts-bar-open");
     button.append(sheet(), html("span", "carts-bar-name", tr("My answers")));
     button.setAttribute("type", "button");
@@ -52,7 +53,9 @@ export class Bar {
     this.root.append(this.warning, row);
     if (!outline()) this.root.classList.add("carts-bar-small");
     this.onPaper = html("p", "carts-print-head");
-    if (outline()) (document.querySelector("article, main") ?? document.body).prepend(this.onPaper);
+    // Before, not in it: the theme's list of parts measures from the first thing in it.
+    const main = document.querySelector("main, article") ?? document.body.firstChild;
+    if (outline()) main?.before(this.onPaper);
     book.addEventListener("change", () => this.show());
     void book.ready.then(() => {
       this.show();

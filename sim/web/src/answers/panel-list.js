@@ -24,7 +24,10 @@ export function listPart(book) {
       " ",
       button(tr("Print empty"), () => print(true)),
     );
-    root.append(row);
+    const counts = tr(
+      "Counted at the foot of the page: questions and predictions, without those “for more” and those after the end of the lesson.",
+    );
+    root.append(row, html("p", "carts-quiet", counts));
   }
   if (!shown.length && !hidden)
     root.append(html("p", "carts-quiet", tr("No answers on this page yet.")));

@@ -27,7 +27,7 @@ export function whoPart(book) {
   const two = html(
     "p",
     "carts-quiet",
-    tr("Two students at one computer: both code words with a +."),
+    `${tr("A code word has at least four letters or digits.")} ${tr("Two students at one computer: both code words with a +.")}`,
   );
   root.append(html("p", "carts-answers-now", now), row, told, choices, two);
 
