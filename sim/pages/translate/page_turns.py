@@ -52,6 +52,6 @@ def own_lessons_first(parts: Iterable[object], page: str) -> None:
         part.children = [*own, *(one for one in all_ if one not in in_one)]
         if rest:
             with speaking(words(language)):
-                others = _Others(tr("Other languages"), rest)
+                others = _Others(tr("Other languages"), [*rest])
             others.parent = part
             part.children.append(others)

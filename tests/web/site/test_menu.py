@@ -39,7 +39,8 @@ def test_the_part_that_was_pressed_is_the_one_that_is_marked(
     expect(page.locator(".carts-bar[data-ready]")).to_have_count(1)
     parts = page.locator(".md-nav--secondary a.md-nav__link").locator("visible=true")
     parts.nth(2).click()
-    expect(parts.nth(2)).to_have_class("md-nav__link md-nav__link--active")
+    expect(parts.nth(2)).to_contain_class("md-nav__link--active")
+    expect(parts.nth(3)).not_to_contain_class("md-nav__link--active")
     folded = page.locator(".md-sidebar--primary a[href^='ta/']")
     assert folded.count() > 0
     assert not any(link.is_visible() for link in folded.all())

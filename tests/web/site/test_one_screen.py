@@ -101,7 +101,9 @@ def test_what_one_plays_with_is_seen_together_and_large_enough_on_every_screen(
 ) -> None:
     """On a phone and a laptop; and a class sees the question, the picture and a graph together."""
     page = opened(site, open_page, lesson, PHONE)
-    assert too_low(page, PHONE[1], {".carts-stage": 1, ".carts-play": 1}) == []
+    # Play is dead until the lock: before that, what is asked stands below the picture.
+    before_lock = {"carts-scene:not(.carts-asks) .carts-play": 1, ".carts-asks .carts-ask": 1}
+    assert too_low(page, PHONE[1], {".carts-stage": 1, **before_lock}) == []
     turned(page, LAPTOP)
     parts = {".carts-stage": 1, ".carts-play": 1, ".carts-clock": 1, ".carts-slider": 99}
     assert too_low(page, LAPTOP[1], {**parts, ".carts-lock": 1}) == []
@@ -117,6 +119,7 @@ def test_what_one_plays_with_is_seen_together_and_large_enough_on_every_screen(
     large_enough(page, least=64)
     if browser_name == "chromium":  # whose bars are laid over the page, as on a phone
         turned(page, PHONE)
+        assert too_low(page, PHONE[1], {".carts-stage": 1, ".carts-play": 1}) == []
         large_enough(page, least=36)
 
 
