@@ -180,8 +180,9 @@
       this.who.setAttribute("type", "button");
       this.who.addEventListener("click", openPanel);
       this.meter = document.createElement("progress");
-      this.meter.setAttribute("aria-label", tr("answered on this page, predictions too"));
       this.count = html("span", "carts-bar-count");
+      this.count.title = tr("answered on this page, predictions too");
+      this.meter.setAttribute("aria-label", this.count.title);
       const button2 = html("button", "carts-button carts-bar-open");
       button2.append(sheet(), html("span", "carts-bar-name", tr("My answers")));
       button2.setAttribute("type", "button");
@@ -195,7 +196,8 @@
       this.root.append(this.warning, row);
       if (!outline()) this.root.classList.add("carts-bar-small");
       this.onPaper = html("p", "carts-print-head");
-      if (outline()) (document.querySelector("article, main") ?? document.body).prepend(this.onPaper);
+      const main = document.querySelector("main, article") ?? document.body.firstChild;
+      if (outline()) main?.before(this.onPaper);
       book2.addEventListener("change", () => this.show());
       void book2.ready.then(() => {
         this.show();
@@ -1756,7 +1758,10 @@
         " ",
         button(tr("Print empty"), () => print(true))
       );
-      root.append(row);
+      const counts = tr(
+        "Counted at the foot of the page: questions and predictions, without those “for more” and those after the end of the lesson."
+      );
+      root.append(row, html("p", "carts-quiet", counts));
     }
     if (!shown.length && !hidden)
       root.append(html("p", "carts-quiet", tr("No answers on this page yet.")));
@@ -1977,7 +1982,7 @@
     const two = html(
       "p",
       "carts-quiet",
-      tr("Two students at one computer: both code words with a +.")
+      `${tr("A code word has at least four letters or digits.")} ${tr("Two students at one computer: both code words with a +.")}`
     );
     root.append(html("p", "carts-answers-now", now), row, told2, choices, two);
     async function look() {

@@ -1616,6 +1616,9 @@
       (side) => track[side] === "wall" && whatIs(side, track) === "wall"
     );
   }
+  function isWord(name) {
+    return name.length > 2;
+  }
   function kind(name, track) {
     return THINGS[whatIs(name, track)]?.().brief ?? tr("wall");
   }
@@ -1802,6 +1805,7 @@
   var TORN = 6;
   var LINE = 14;
   var NAMED = 34;
+  var LETTER = 9.5;
   var SPRING = [2, 10];
   var PUSH = 15.5;
   var FACE = 22;
@@ -1810,12 +1814,14 @@
   var TURNS = 9;
   var LEAD = 5;
   var COIL = 7;
-  function box(body2, view, layout, lift) {
+  function box(body2, view, layout, i2, skin) {
+    const lift = layout.stagger * (i2 % layout.ranks);
     const width = bodyWidth(body2);
     const wanted2 = REFERENCE_HEIGHT * (view.alike ? 1 : body2.mass / width / view.perHeight);
     const cut = wanted2 > TALLEST2 * REFERENCE_HEIGHT * (1 + 1e-9);
     const height = Math.min(wanted2, TALLEST2 * REFERENCE_HEIGHT);
-    const named3 = height >= NAMED;
+    const word = isWord(body2.name) ? body2.name.length * LETTER : 0;
+    const named3 = height >= NAMED && (!word || !skin && word < width * layout.scale);
     const mass = `${short(body2.mass)} kg`;
     return {
       x: -width * layout.scale / 2,
@@ -5543,6 +5549,7 @@
       this.locked = (now) => {
         draw([]);
         say(need(root, ".carts-heading"), tr("Your prediction"));
+        root.classList.add("carts-locked");
         locked(now);
       };
       this.#keeping = new Keeping(root, baked.fence.id, signal);
@@ -5636,7 +5643,6 @@
       }
       this.why.show(why ?? "");
       this.again.offer();
-      this.root.classList.add("carts-locked");
     }
     get spoken() {
       const parts2 = this.root.querySelectorAll(
@@ -8345,7 +8351,7 @@ ${lines4.join("\n")}
       this.#enlarge();
     }
     #enlarge() {
-      const give = this.#run ? wallGives(this.#run) : 0;
+      const give = Math.max(this.view.gives, this.#run ? wallGives(this.#run) : 0);
       const room = WIDTH5 / 2 - MARGIN;
       const times2 = TIMES.find((one) => give * one * this.#picture <= room) ?? 1;
       this.#perMetre = times2 * this.#picture;
@@ -8364,7 +8370,9 @@ ${lines4.join("\n")}
     }
     at(t3) {
       const run = this.#run;
-      const touch = this.#windows.find(({ end: end2 }) => t3 <= end2) ?? this.#windows.at(-1);
+      const coming = this.#windows.find(({ end: end2 }) => t3 <= end2);
+      const past = latestTouch(this.#windows, t3);
+      const touch = coming ?? past;
       put(this.plot, "visibility", touch ? "visible" : "hidden");
       this.root.classList.toggle(
         "carts-is-slow",
@@ -8372,6 +8380,15 @@ ${lines4.join("\n")}
       );
       if (!run || !touch) return say(this.note, tr("Nothing touches in this run."));
       this.#t = t3;
+      const faces = [this.#side(run, touch, 0).face, this.#side(run, touch, 1).face];
+      const out = (Number(faces[1]) - Number(faces[0])) * this.#perMetre > WIDTH5;
+      const over = past && t3 > past.end && (out || t3 >= run.header.until);
+      say(need(this.root, '[data-part="when"]'), over ? tr("when they pushed hardest") : "");
+      if (over) this.#t = hardest(run, past);
+      this.#show(run, over ? past : touch);
+    }
+    #show(run, touch) {
+      const t3 = this.#t;
       const [left2, right] = [this.#side(run, touch, 0), this.#side(run, touch, 1)];
       const overlap = Math.max(0, left2.face - right.face);
       const give = Math.min(overlap, left2.bumper + right.bumper);
@@ -8445,6 +8462,12 @@ ${lines4.join("\n")}
       return depthOf(what, wall, this.layout) / this.layout.scale * this.#perMetre;
     }
   };
+  function hardest({ header }, { pair, start, end: end2 }) {
+    const peak = header.events.find(
+      (one) => one.kind === "peak" && one.bodies.join("-") === pair && one.t >= start && one.t <= end2
+    );
+    return peak?.t ?? start;
+  }
   function wallGives({ header: { bodies, track }, trajectory: { x: x2 } }) {
     const ends = [
       { wall: track.left, at: 0, cart: bodies[0], way: -1 },
@@ -8516,7 +8539,7 @@ ${lines4.join("\n")}
   var HEIGHT3 = 160;
   var GAP2 = 5;
   var WIDEST = 9.2;
-  var LETTER = 8;
+  var LETTER2 = 8;
   var BELOW_LINE = 5;
   var [FEW4, ENOUGH, MANY4] = [5, 4, 8];
   var HARDLY = 0.05;
@@ -8607,7 +8630,7 @@ ${lines4.join("\n")}
     return ticks2(plane.time).map((t3) => {
       const at3 = timeX(plane, t3);
       const label = fixed(t3, decimals);
-      const wide = LETTER * (label.length - (decimals > 0 ? 0.5 : 0));
+      const wide = LETTER2 * (label.length - (decimals > 0 ? 0.5 : 0));
       return { at: px(at3), textX: px(Math.min(at3, WIDTH6 - wide / 2)), label };
     });
   }
@@ -8794,7 +8817,9 @@ ${lines4.join("\n")}
         ({ name, change: change2 }) => tr("m Δv of {name}: {change}", { name, change: fixed(change2 ?? 0, this.decimals) })
       );
       const shaded = t3 >= touch.end ? tr("{names}, shaded area: {amount}", { names, amount: amount3 }) : tr("{names}, shaded area so far: {amount}", { names, amount: amount3 });
-      say(this.note, tr("{values}, all in N s.", { values: [shaded, ...parts2].join("; ") }));
+      const values = [shaded, ...parts2].join("; ");
+      const told4 = parts2.length ? tr("{values}, all in N s.", { values }) : `${values} N s`;
+      say(this.note, told4);
     }
   };
   function under({ trajectory: { t: t3, F: F2, dF } }, touch, plane, end2, sign) {
@@ -9610,7 +9635,7 @@ ${lines4.join("\n")}
   // src/scene/pushes.js
   var PER_CHARACTER2 = 9.1;
   var ROW2 = 21;
-  var GAP5 = 8;
+  var GAP5 = 12;
   var EDGE3 = 6;
   var Pushes = class {
     #pushes = [];
@@ -9838,7 +9863,7 @@ ${lines4.join("\n")}
       this.#run = run;
       const { layout, view } = this;
       const boxes = run.header.bodies.map(
-        (body2, i2) => box(body2, view, layout, layout.stagger * (i2 % layout.ranks))
+        (body2, i2) => box(body2, view, layout, i2, this.skins[body2.name])
       );
       this.torn = boxes.some((box2) => box2.cut);
       const tallest = Math.max(...boxes.map((box2) => box2.height));

@@ -11243,6 +11243,9 @@ ${second && across3}
       (side2) => track[side2] === "wall" && whatIs(side2, track) === "wall"
     );
   }
+  function isWord(name) {
+    return name.length > 2;
+  }
   function kind(name, track) {
     return THINGS[whatIs(name, track)]?.().brief ?? tr("wall");
   }
@@ -11397,9 +11400,9 @@ ${table3(facts)}
 <p class="carts-heading">${tr("Set the model by hand, or let it be fitted")}</p>
 <div class="carts-measured-hands">${hands}</div>
 <p class="carts-measured-row"><label>${tr("contact law")} <select autocomplete="off" class="carts-measured-law">${laws}</select></label> <label>${tr("fit also")} <select autocomplete="off" class="carts-measured-effect"><option value="none">${tr("nothing else")}</option><option value="friction">${tr("friction of each cart")}</option><option value="tilt">${tr("a tilt of the track")}</option><option value="both">${tr("friction and a tilt")}</option><option value="called">${tr("what the readings call for")}</option></select></label></p>
-<p class="carts-measured-row carts-measured-masses"></p>
-<p class="carts-measured-row"><label>${tr("marks are apart, when the bumpers just touch:")} <input type="text" inputmode="decimal" autocomplete="off" class="carts-measured-distance"> m</label> <span class="carts-quiet">${tr("if you know it")}</span></p>
-<p class="carts-measured-row"><label><input type="checkbox" class="carts-measured-together"> ${tr("I saw that the carts stayed together")}</label> <span class="carts-quiet">${tr("where a sensor lost one of them")}</span></p>
+<p class="carts-measured-row carts-measured-masses carts-measured-rare"></p>
+<p class="carts-measured-row carts-measured-rare"><label>${tr("marks are apart, when the bumpers just touch:")} <input type="text" inputmode="decimal" autocomplete="off" class="carts-measured-distance"> m</label> <span class="carts-quiet">${tr("if you know it")}</span></p>
+<p class="carts-measured-row carts-measured-rare"><label><input type="checkbox" class="carts-measured-together"> ${tr("I saw that the carts stayed together")}</label> <span class="carts-quiet">${tr("where a sensor lost one of them")}</span></p>
 <div role="alert"><ul class="carts-measured-faults carts-measured-unfitted"></ul></div>
 <p class="carts-measured-row"><button type="button" class="carts-button carts-measured-fit">${tr("Fit the model")}</button> <button type="button" class="carts-button carts-measured-compare">${tr("Compare with friction and tilt")}</button> <span class="carts-measured-busy" role="status"></span></p>
 </div>`;
@@ -11571,6 +11574,7 @@ ${table3(facts)}
   var TORN = 6;
   var LINE = 14;
   var NAMED = 34;
+  var LETTER = 9.5;
   var SPRING = [2, 10];
   var PUSH = 15.5;
   var FACE = 22;
@@ -11579,12 +11583,14 @@ ${table3(facts)}
   var TURNS = 9;
   var LEAD = 5;
   var COIL = 7;
-  function box(body2, view, layout, lift) {
+  function box(body2, view, layout, i, skin) {
+    const lift = layout.stagger * (i % layout.ranks);
     const width = bodyWidth(body2);
     const wanted = REFERENCE_HEIGHT * (view.alike ? 1 : body2.mass / width / view.perHeight);
     const cut = wanted > TALLEST * REFERENCE_HEIGHT * (1 + 1e-9);
     const height = Math.min(wanted, TALLEST * REFERENCE_HEIGHT);
-    const named2 = height >= NAMED;
+    const word = isWord(body2.name) ? body2.name.length * LETTER : 0;
+    const named2 = height >= NAMED && (!word || !skin && word < width * layout.scale);
     const mass = `${short(body2.mass)} kg`;
     return {
       x: -width * layout.scale / 2,
@@ -12284,7 +12290,7 @@ ${lines3}</tbody></table></div>
     );
     return html`<section class="carts-view carts-lens" data-view="lens"${closed(baked, "lens")}>
 <p class="carts-view-title"><span class="carts-heading">${tr("Lens on the contact, ×{times}", { times: 10 })}</span> <span class="carts-lens-note"></span></p>
-<svg viewBox="0 0 360 110" width="360" height="110" aria-hidden="true"><path class="carts-rule" d="M0 96H360"/><path data-part="between" class="carts-coil"/>${sides}<path data-part="was" class="carts-was"/><path data-part="bar" class="carts-rule"/><text data-part="bar-text" y="17"></text></svg>
+<svg viewBox="0 0 360 110" width="360" height="110" aria-hidden="true"><path class="carts-rule" d="M0 96H360"/><path data-part="between" class="carts-coil"/>${sides}<path data-part="was" class="carts-was"/><path data-part="bar" class="carts-rule"/><text data-part="bar-text" y="17"></text><text data-part="when" x="8" y="108"></text></svg>
 </section>`;
   }
   function bars(baked) {
@@ -12350,7 +12356,7 @@ ${rows}</tbody></table></div>
   var HEIGHT4 = 160;
   var GAP = 5;
   var WIDEST = 9.2;
-  var LETTER = 8;
+  var LETTER2 = 8;
   var BELOW_LINE = 5;
   var [FEW3, ENOUGH, MANY2] = [5, 4, 8];
   var HARDLY = 0.05;
@@ -12441,7 +12447,7 @@ ${rows}</tbody></table></div>
     return ticks2(plane.time).map((t) => {
       const at = timeX(plane, t);
       const label = fixed(t, decimals);
-      const wide = LETTER * (label.length - (decimals > 0 ? 0.5 : 0));
+      const wide = LETTER2 * (label.length - (decimals > 0 ? 0.5 : 0));
       return { at: px(at), textX: px(Math.min(at, WIDTH4 - wide / 2)), label };
     });
   }
@@ -12528,7 +12534,7 @@ ${back > 0 && html`<p class="carts-reset-row"><button type="button" class="carts
     const { fence, run } = baked;
     return run.header.bodies.map(({ name }, i) => {
       const style = `carts-${styleOf(i)}`;
-      const title = tr("Cart {name}", { name });
+      const title = isWord(name) ? name : tr("Cart {name}", { name });
       const own = fence.controls.filter(({ set }) => ownerOf(set) === name);
       return html`<div class="carts-card ${style}" role="group" aria-label=${title} data-body=${name}>
 <p class="carts-heading"><svg class="carts-swatch" viewBox="0 0 26 12" width="26" height="12" aria-hidden="true"><path class="carts-curve ${style}" d="M0 6H26"/><path class="carts-dot ${style}" d=${MARKERS[styleOf(i)]} transform="translate(13 6)"/></svg>${title}</p>
@@ -12902,7 +12908,7 @@ ${layout && layout.tape > 0 && ruler(layout)}
   var LABEL_ROOM = { wide: 54, narrow: 46 };
   var BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6";
   var MOST_NUMBERS2 = 150;
-  var LETTER2 = 8;
+  var LETTER3 = 8;
   var BEYOND = 60;
   function stage(baked, layout) {
     const { fence, run } = baked;
@@ -12984,22 +12990,24 @@ ${ticks2(numbers).map(
     const [per, unit] = speedUnit(view.velocity);
     const text3 = (x2, said) => html`<text x=${px(x2)} y=${px(y + 5)}>${said}</text>`;
     const force = fence.forces === "shown" && view.force > 0;
+    const asked = fence.predict?.kind === "arrows" ? "" : "carts-unasked";
     const word = tr("scale:");
     const start = layout.above ? 12 : 12 + roomOf(word) + 4;
-    const x = force ? start + layout.force + 58 : start;
-    const next = x + layout.velocity + 6;
+    const next = start + layout.velocity + 6;
+    const x = next + 68;
+    const end2 = force ? x + layout.force + 6 : next;
     const axis2 = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
     const moving = wide ? tr("position on the track in m") : tr("track in m");
     return html`<g class="carts-legend">
 <text x="12" y=${px(layout.above ? y - 9 : y + 5)}>${word}</text>
-${force && html`<path class="carts-block-arrow" d=${blockArrow(start, y, layout.force)}/>${text3(start + layout.force + 6, `${short(view.force)} N`)}`}
-<path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text3(next, `${short(view.velocity / per)} ${unit}`)}
-${wide && html`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
+<path class="carts-line-arrow" d=${lineArrow(start, y, layout.velocity)}/>${text3(next, `${short(view.velocity / per)} ${unit}`)}
+${force && html`<g class=${asked}><path class="carts-block-arrow" d=${blockArrow(x, y, layout.force)}/>${text3(end2, `${short(view.force)} N`)}</g>`}
+${wide && html`<text class="carts-torn" data-now="no" x=${px(end2 + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
 <text x=${px(layout.width - 12)} y=${px(y + 5)} text-anchor="end">${fence.camera ? moving : axis2}</text>
 </g>`;
   }
   function roomOf(word) {
-    return [...word].reduce((sum, sign) => sum + (sign > "˿" ? 2 * LETTER2 : LETTER2), 0);
+    return [...word].reduce((sum, sign) => sum + (sign > "˿" ? 2 * LETTER3 : LETTER3), 0);
   }
 
   // ../view/skeleton/time.js
@@ -13025,7 +13033,7 @@ ${button("start", START2, tr("Back to the start"), tr("Back to the start (Home)"
 ${button("back", BACK2, tr("Step back"), tr("Step back (left arrow key)"))}
 <button type="button" class="carts-button carts-play" title=${tr("Play or pause (space bar)")} disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-icon-play" d="M4 2.5L13 8l-9 5.5z"/><path class="carts-icon-pause" d="M4 3h3v10H4zM9 3h3v10H9z"/></svg><span>${tr("Play")}</span></button>
 ${button("forward", FORWARD, tr("Step forward"), tr("Step forward (right arrow key)"))}
-<label class="carts-speed-label">${tr("Speed")} <select autocomplete="off" class="carts-speed" disabled><option value="0.01">1/100</option><option value="0.1">1/10</option>${speeds}</select></label>
+<label class="carts-speed-label">${tr("Speed")} <select autocomplete="off" class="carts-speed" disabled><option value="0.01">1/100</option><option value="0.1">1/10</option>${speeds}</select></label> <a class="carts-jump carts-down" href="#${fence.id}-graphs">${tr("Graphs")} ↓</a>
 ${slow && html`<label class="carts-slow-label"><input type="checkbox" class="carts-slow" checked disabled> ${tr("slow motion in contacts")}</label>`}
 <p class="carts-clocks"><span>${tr("cart time")} <span class="carts-clock">0.000</span> s</span>${slow && html`<span class="carts-slow-note" aria-hidden="true"><b class="carts-rate">1×</b> ${tr("speed, your time")} <span class="carts-own-clock">0.0</span> s</span>`}</p>
 ${fence.watch === "first" && html`<button type="button" class="carts-button carts-end" disabled>${tr("Show me the end")}</button>`}
@@ -13067,7 +13075,7 @@ ${asked && predict(baked, asked)}
 ${near(baked)}
 ${panel(baked)}
 ${views(baked)}
-<div class="carts-results"${asked && html` hidden`}>
+<div class="carts-results" id="${id}-graphs"${asked && html` hidden`}>
 <div class="carts-graphs-bar"><details class="carts-more carts-choose"><summary>${tr("Choose what to see")}</summary><div class="carts-choices"></div></details><label>${tr("Time axis")} <select class="carts-window" disabled><option value="">${tr("whole run")}</option></select></label></div>
 <div class="carts-graphs">
 ${quantities.map((quantity) => graph(baked, quantity))}
@@ -14016,7 +14024,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.#enlarge();
     }
     #enlarge() {
-      const give = this.#run ? wallGives(this.#run) : 0;
+      const give = Math.max(this.view.gives, this.#run ? wallGives(this.#run) : 0);
       const room = WIDTH7 / 2 - MARGIN;
       const times2 = TIMES3.find((one) => give * one * this.#picture <= room) ?? 1;
       this.#perMetre = times2 * this.#picture;
@@ -14035,7 +14043,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }
     at(t) {
       const run = this.#run;
-      const touch = this.#windows.find(({ end: end2 }) => t <= end2) ?? this.#windows.at(-1);
+      const coming = this.#windows.find(({ end: end2 }) => t <= end2);
+      const past = latestTouch(this.#windows, t);
+      const touch = coming ?? past;
       put(this.plot, "visibility", touch ? "visible" : "hidden");
       this.root.classList.toggle(
         "carts-is-slow",
@@ -14043,6 +14053,15 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       );
       if (!run || !touch) return say(this.note, tr("Nothing touches in this run."));
       this.#t = t;
+      const faces = [this.#side(run, touch, 0).face, this.#side(run, touch, 1).face];
+      const out = (Number(faces[1]) - Number(faces[0])) * this.#perMetre > WIDTH7;
+      const over2 = past && t > past.end && (out || t >= run.header.until);
+      say(need(this.root, '[data-part="when"]'), over2 ? tr("when they pushed hardest") : "");
+      if (over2) this.#t = hardest(run, past);
+      this.#show(run, over2 ? past : touch);
+    }
+    #show(run, touch) {
+      const t = this.#t;
       const [left, right] = [this.#side(run, touch, 0), this.#side(run, touch, 1)];
       const overlap = Math.max(0, left.face - right.face);
       const give = Math.min(overlap, left.bumper + right.bumper);
@@ -14116,6 +14135,12 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       return depthOf(what, wall, this.layout) / this.layout.scale * this.#perMetre;
     }
   };
+  function hardest({ header }, { pair, start, end: end2 }) {
+    const peak = header.events.find(
+      (one) => one.kind === "peak" && one.bodies.join("-") === pair && one.t >= start && one.t <= end2
+    );
+    return peak?.t ?? start;
+  }
   function wallGives({ header: { bodies, track }, trajectory: { x } }) {
     const ends2 = [
       { wall: track.left, at: 0, cart: bodies[0], way: -1 },
@@ -14329,7 +14354,9 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
         ({ name, change }) => tr("m Δv of {name}: {change}", { name, change: fixed(change ?? 0, this.decimals) })
       );
       const shaded = t >= touch.end ? tr("{names}, shaded area: {amount}", { names, amount: amount2 }) : tr("{names}, shaded area so far: {amount}", { names, amount: amount2 });
-      say(this.note, tr("{values}, all in N s.", { values: [shaded, ...parts2].join("; ") }));
+      const values = [shaded, ...parts2].join("; ");
+      const told3 = parts2.length ? tr("{values}, all in N s.", { values }) : `${values} N s`;
+      say(this.note, told3);
     }
   };
   function under2({ trajectory: { t, F, dF } }, touch, plane, end2, sign) {
@@ -15066,7 +15093,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
   // src/scene/pushes.js
   var PER_CHARACTER2 = 9.1;
   var ROW2 = 21;
-  var GAP4 = 8;
+  var GAP4 = 12;
   var EDGE3 = 6;
   var Pushes = class {
     #pushes = [];
@@ -15294,7 +15321,7 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
       this.#run = run;
       const { layout, view } = this;
       const boxes = run.header.bodies.map(
-        (body2, i) => box(body2, view, layout, layout.stagger * (i % layout.ranks))
+        (body2, i) => box(body2, view, layout, i, this.skins[body2.name])
       );
       this.torn = boxes.some((box2) => box2.cut);
       const tallest = Math.max(...boxes.map((box2) => box2.height));

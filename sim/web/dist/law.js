@@ -276,6 +276,9 @@
       (side) => track[side] === "wall" && whatIs(side, track) === "wall"
     );
   }
+  function isWord(name) {
+    return name.length > 2;
+  }
   function thingAt(name, track, form2) {
     const thing = THINGS[whatIs(name, track)]?.()[form2];
     if (!thing || whatIs("left", track) !== whatIs("right", track)) return thing ?? "";
@@ -305,6 +308,7 @@
   var TORN = 6;
   var LINE = 14;
   var NAMED = 34;
+  var LETTER = 9.5;
   var SPRING = [2, 10];
   var PUSH = 15.5;
   var FACE = 22;
@@ -313,12 +317,14 @@
   var TURNS = 9;
   var LEAD = 5;
   var COIL = 7;
-  function box(body2, view, layout, lift) {
+  function box(body2, view, layout, i, skin) {
+    const lift = layout.stagger * (i % layout.ranks);
     const width = bodyWidth(body2);
     const wanted = REFERENCE_HEIGHT * (view.alike ? 1 : body2.mass / width / view.perHeight);
     const cut = wanted > TALLEST * REFERENCE_HEIGHT * (1 + 1e-9);
     const height = Math.min(wanted, TALLEST * REFERENCE_HEIGHT);
-    const named = height >= NAMED;
+    const word = isWord(body2.name) ? body2.name.length * LETTER : 0;
+    const named = height >= NAMED && (!word || !skin && word < width * layout.scale);
     const mass = `${short(body2.mass)} kg`;
     return {
       x: -width * layout.scale / 2,
@@ -1045,7 +1051,7 @@
   var LABEL_ROOM = { wide: 54, narrow: 46 };
   var BREAK = "M-14 -56l7 -6l7 6l7 -6l7 6M-14 -49l7 -6l7 6l7 -6l7 6";
   var MOST_NUMBERS = 150;
-  var LETTER = 8;
+  var LETTER2 = 8;
   var BEYOND = 60;
   function stage(baked, layout) {
     const { fence, run } = baked;
@@ -1127,22 +1133,24 @@ ${ticks(numbers).map(
     const [per, unit] = speedUnit(view.velocity);
     const text = (x2, said) => html2`<text x=${px(x2)} y=${px(y + 5)}>${said}</text>`;
     const force = fence.forces === "shown" && view.force > 0;
+    const asked2 = fence.predict?.kind === "arrows" ? "" : "carts-unasked";
     const word = tr("scale:");
     const start = layout.above ? 12 : 12 + roomOf(word) + 4;
-    const x = force ? start + layout.force + 58 : start;
-    const next = x + layout.velocity + 6;
+    const next = start + layout.velocity + 6;
+    const x = next + 68;
+    const end2 = force ? x + layout.force + 6 : next;
     const axis = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
     const moving = wide ? tr("position on the track in m") : tr("track in m");
     return html2`<g class="carts-legend">
 <text x="12" y=${px(layout.above ? y - 9 : y + 5)}>${word}</text>
-${force && html2`<path class="carts-block-arrow" d=${blockArrow(start, y, layout.force)}/>${text(start + layout.force + 6, `${short(view.force)} N`)}`}
-<path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text(next, `${short(view.velocity / per)} ${unit}`)}
-${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
+<path class="carts-line-arrow" d=${lineArrow(start, y, layout.velocity)}/>${text(next, `${short(view.velocity / per)} ${unit}`)}
+${force && html2`<g class=${asked2}><path class="carts-block-arrow" d=${blockArrow(x, y, layout.force)}/>${text(end2, `${short(view.force)} N`)}</g>`}
+${wide && html2`<text class="carts-torn" data-now="no" x=${px(end2 + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
 <text x=${px(layout.width - 12)} y=${px(y + 5)} text-anchor="end">${fence.camera ? moving : axis}</text>
 </g>`;
   }
   function roomOf(word) {
-    return [...word].reduce((sum, sign) => sum + (sign > "˿" ? 2 * LETTER : LETTER), 0);
+    return [...word].reduce((sum, sign) => sum + (sign > "˿" ? 2 * LETTER2 : LETTER2), 0);
   }
 
   // ../view/windows.js
@@ -1478,7 +1486,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
   // src/scene/pushes.js
   var PER_CHARACTER2 = 9.1;
   var ROW2 = 21;
-  var GAP3 = 8;
+  var GAP3 = 12;
   var EDGE2 = 6;
   var Pushes = class {
     #pushes = [];
@@ -1846,7 +1854,7 @@ ${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px
       this.#run = run;
       const { layout, view } = this;
       const boxes = run.header.bodies.map(
-        (body2, i) => box(body2, view, layout, layout.stagger * (i % layout.ranks))
+        (body2, i) => box(body2, view, layout, i, this.skins[body2.name])
       );
       this.torn = boxes.some((box2) => box2.cut);
       const tallest = Math.max(...boxes.map((box2) => box2.height));

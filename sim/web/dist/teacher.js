@@ -1806,6 +1806,9 @@ ${second && across2}
       (side2) => track[side2] === "wall" && whatIs(side2, track) === "wall"
     );
   }
+  function isWord(name) {
+    return name.length > 2;
+  }
   function kind(name, track) {
     return THINGS[whatIs(name, track)]?.().brief ?? tr("wall");
   }
@@ -1951,9 +1954,9 @@ ${table2(facts)}
 <p class="carts-heading">${tr("Set the model by hand, or let it be fitted")}</p>
 <div class="carts-measured-hands">${hands}</div>
 <p class="carts-measured-row"><label>${tr("contact law")} <select autocomplete="off" class="carts-measured-law">${laws}</select></label> <label>${tr("fit also")} <select autocomplete="off" class="carts-measured-effect"><option value="none">${tr("nothing else")}</option><option value="friction">${tr("friction of each cart")}</option><option value="tilt">${tr("a tilt of the track")}</option><option value="both">${tr("friction and a tilt")}</option><option value="called">${tr("what the readings call for")}</option></select></label></p>
-<p class="carts-measured-row carts-measured-masses"></p>
-<p class="carts-measured-row"><label>${tr("marks are apart, when the bumpers just touch:")} <input type="text" inputmode="decimal" autocomplete="off" class="carts-measured-distance"> m</label> <span class="carts-quiet">${tr("if you know it")}</span></p>
-<p class="carts-measured-row"><label><input type="checkbox" class="carts-measured-together"> ${tr("I saw that the carts stayed together")}</label> <span class="carts-quiet">${tr("where a sensor lost one of them")}</span></p>
+<p class="carts-measured-row carts-measured-masses carts-measured-rare"></p>
+<p class="carts-measured-row carts-measured-rare"><label>${tr("marks are apart, when the bumpers just touch:")} <input type="text" inputmode="decimal" autocomplete="off" class="carts-measured-distance"> m</label> <span class="carts-quiet">${tr("if you know it")}</span></p>
+<p class="carts-measured-row carts-measured-rare"><label><input type="checkbox" class="carts-measured-together"> ${tr("I saw that the carts stayed together")}</label> <span class="carts-quiet">${tr("where a sensor lost one of them")}</span></p>
 <div role="alert"><ul class="carts-measured-faults carts-measured-unfitted"></ul></div>
 <p class="carts-measured-row"><button type="button" class="carts-button carts-measured-fit">${tr("Fit the model")}</button> <button type="button" class="carts-button carts-measured-compare">${tr("Compare with friction and tilt")}</button> <span class="carts-measured-busy" role="status"></span></p>
 </div>`;
@@ -2520,7 +2523,7 @@ ${lines3}</tbody></table></div>
     );
     return html2`<section class="carts-view carts-lens" data-view="lens"${closed(baked, "lens")}>
 <p class="carts-view-title"><span class="carts-heading">${tr("Lens on the contact, ×{times}", { times: 10 })}</span> <span class="carts-lens-note"></span></p>
-<svg viewBox="0 0 360 110" width="360" height="110" aria-hidden="true"><path class="carts-rule" d="M0 96H360"/><path data-part="between" class="carts-coil"/>${sides}<path data-part="was" class="carts-was"/><path data-part="bar" class="carts-rule"/><text data-part="bar-text" y="17"></text></svg>
+<svg viewBox="0 0 360 110" width="360" height="110" aria-hidden="true"><path class="carts-rule" d="M0 96H360"/><path data-part="between" class="carts-coil"/>${sides}<path data-part="was" class="carts-was"/><path data-part="bar" class="carts-rule"/><text data-part="bar-text" y="17"></text><text data-part="when" x="8" y="108"></text></svg>
 </section>`;
   }
   function bars(baked) {
@@ -2620,7 +2623,7 @@ ${back > 0 && html2`<p class="carts-reset-row"><button type="button" class="cart
     const { fence, run } = baked;
     return run.header.bodies.map(({ name }, i) => {
       const style = `carts-${styleOf(i)}`;
-      const title = tr("Cart {name}", { name });
+      const title = isWord(name) ? name : tr("Cart {name}", { name });
       const own = fence.controls.filter(({ set }) => ownerOf(set) === name);
       return html2`<div class="carts-card ${style}" role="group" aria-label=${title} data-body=${name}>
 <p class="carts-heading"><svg class="carts-swatch" viewBox="0 0 26 12" width="26" height="12" aria-hidden="true"><path class="carts-curve ${style}" d="M0 6H26"/><path class="carts-dot ${style}" d=${MARKERS[styleOf(i)]} transform="translate(13 6)"/></svg>${title}</p>
@@ -3076,17 +3079,19 @@ ${ticks(numbers).map(
     const [per, unit] = speedUnit(view.velocity);
     const text2 = (x2, said) => html2`<text x=${px(x2)} y=${px(y + 5)}>${said}</text>`;
     const force = fence.forces === "shown" && view.force > 0;
+    const asked = fence.predict?.kind === "arrows" ? "" : "carts-unasked";
     const word = tr("scale:");
     const start = layout.above ? 12 : 12 + roomOf(word) + 4;
-    const x = force ? start + layout.force + 58 : start;
-    const next = x + layout.velocity + 6;
+    const next = start + layout.velocity + 6;
+    const x = next + 68;
+    const end2 = force ? x + layout.force + 6 : next;
     const axis2 = wide ? tr("x in m, + is to the right") : tr("x in m, + →");
     const moving = wide ? tr("position on the track in m") : tr("track in m");
     return html2`<g class="carts-legend">
 <text x="12" y=${px(layout.above ? y - 9 : y + 5)}>${word}</text>
-${force && html2`<path class="carts-block-arrow" d=${blockArrow(start, y, layout.force)}/>${text2(start + layout.force + 6, `${short(view.force)} N`)}`}
-<path class="carts-line-arrow" d=${lineArrow(x, y, layout.velocity)}/>${text2(next, `${short(view.velocity / per)} ${unit}`)}
-${wide && html2`<text class="carts-torn" data-now="no" x=${px(next + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
+<path class="carts-line-arrow" d=${lineArrow(start, y, layout.velocity)}/>${text2(next, `${short(view.velocity / per)} ${unit}`)}
+${force && html2`<g class=${asked}><path class="carts-block-arrow" d=${blockArrow(x, y, layout.force)}/>${text2(end2, `${short(view.force)} N`)}</g>`}
+${wide && html2`<text class="carts-torn" data-now="no" x=${px(end2 + 70)} y=${px(y + 5)}>${tr("torn: not to scale")}</text>`}
 <text x=${px(layout.width - 12)} y=${px(y + 5)} text-anchor="end">${fence.camera ? moving : axis2}</text>
 </g>`;
   }
@@ -3117,7 +3122,7 @@ ${button2("start", START, tr("Back to the start"), tr("Back to the start (Home)"
 ${button2("back", BACK2, tr("Step back"), tr("Step back (left arrow key)"))}
 <button type="button" class="carts-button carts-play" title=${tr("Play or pause (space bar)")} disabled><svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="carts-icon-play" d="M4 2.5L13 8l-9 5.5z"/><path class="carts-icon-pause" d="M4 3h3v10H4zM9 3h3v10H9z"/></svg><span>${tr("Play")}</span></button>
 ${button2("forward", FORWARD, tr("Step forward"), tr("Step forward (right arrow key)"))}
-<label class="carts-speed-label">${tr("Speed")} <select autocomplete="off" class="carts-speed" disabled><option value="0.01">1/100</option><option value="0.1">1/10</option>${speeds}</select></label>
+<label class="carts-speed-label">${tr("Speed")} <select autocomplete="off" class="carts-speed" disabled><option value="0.01">1/100</option><option value="0.1">1/10</option>${speeds}</select></label> <a class="carts-jump carts-down" href="#${fence.id}-graphs">${tr("Graphs")} ↓</a>
 ${slow && html2`<label class="carts-slow-label"><input type="checkbox" class="carts-slow" checked disabled> ${tr("slow motion in contacts")}</label>`}
 <p class="carts-clocks"><span>${tr("cart time")} <span class="carts-clock">0.000</span> s</span>${slow && html2`<span class="carts-slow-note" aria-hidden="true"><b class="carts-rate">1×</b> ${tr("speed, your time")} <span class="carts-own-clock">0.0</span> s</span>`}</p>
 ${fence.watch === "first" && html2`<button type="button" class="carts-button carts-end" disabled>${tr("Show me the end")}</button>`}
@@ -3159,7 +3164,7 @@ ${asked && predict(baked, asked)}
 ${near(baked)}
 ${panel(baked)}
 ${views(baked)}
-<div class="carts-results"${asked && html2` hidden`}>
+<div class="carts-results" id="${id}-graphs"${asked && html2` hidden`}>
 <div class="carts-graphs-bar"><details class="carts-more carts-choose"><summary>${tr("Choose what to see")}</summary><div class="carts-choices"></div></details><label>${tr("Time axis")} <select class="carts-window" disabled><option value="">${tr("whole run")}</option></select></label></div>
 <div class="carts-graphs">
 ${quantities.map((quantity) => graph(baked, quantity))}
@@ -3642,6 +3647,7 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
   }
 
   // src/teach/own-file.js
+  var LESSON = /\.(md|markdown|txt)$/i;
   function ownFile(words, take) {
     const label = html("label", "carts-teach-own");
     const told3 = html("span", "carts-error");
@@ -3655,8 +3661,10 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
       const bytes = await file.arrayBuffer().catch(() => null);
       input.value = "";
-      say(told3, bytes ? "" : `${file.name} cannot be read.`);
-      if (bytes) take(decoder.decode(bytes));
+      let wrong = bytes ? "" : `${file.name} cannot be read.`;
+      if (!LESSON.test(file.name)) wrong = `${file.name} is no lesson: its name would end in .md.`;
+      say(told3, wrong);
+      if (bytes && !wrong) say(told3, await take(decoder.decode(bytes), file.name) || "");
     });
     label.append(html("span", "", words), " ", input, " ", told3);
     return label;
@@ -3677,14 +3685,15 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
     }
     #field() {
       const words = `Notes and marking guides for teachers are not in this page. To have them in what you save, choose your own file of the lesson (${this.session.name}):`;
-      return ownFile(words, (own) => void this.#take(own));
+      return ownFile(words, (own, name) => this.#take(own, name));
     }
-    async #take(own) {
+    async #take(own, name) {
       this.#offer.remove();
       this.tell("Putting notes and marking guides back …");
       try {
-        const { missing, same } = await putBack(this.session, own);
-        this.tell(taken(missing, same));
+        const { missing, same, none } = await putBack(this.session, own);
+        this.tell(none ? "" : taken(missing, same));
+        if (none) return strange(name, this.session.name);
       } catch (error) {
         const { message } = error;
         this.tell(`Notes and marking guides could not be put back: ${message}`);
@@ -3698,19 +3707,25 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
         );
         if (this.session.withheld) this.root.append(this.#offer);
       }
+      return "";
     }
   };
   async function putBack(session2, own) {
     const same = await hashOf(own) === session2.told.hash;
     const { text: text2, missing } = await restored(session2.client, () => session2.text, own);
+    const none = text2 === session2.text;
     if (same) session2.base = own;
-    session2.change(text2, "");
-    return { missing, same };
+    if (!none) session2.change(text2, "");
+    return { missing, same, none };
   }
   function openInstead(session2, own) {
     session2.change(own, "");
     const { error } = session2.client;
     if (error) session2.panel.withoutPython(error.message);
+  }
+  function strange(name, needed) {
+    if (name !== needed) return `This is the file ${name}; needed: ${needed}. Nothing was changed.`;
+    return "No notes or marking guides of this lesson stand in this file. Nothing was changed.";
   }
   function taken(missing, same) {
     if (missing) return `${missing} notes or marking guides do not stand in this file.`;
