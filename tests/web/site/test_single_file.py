@@ -83,7 +83,7 @@ def test_a_file_alone_in_a_folder_is_a_live_scene(open_page: OpenPage, tmp_path:
     out.parent.mkdir()
     code, said = write(["tests/scenes/light-meets-heavy.yml", "--out", str(out)])
     assert code == 0, said
-    assert not re.search(r'(?:src|href)="(?!data:)', out.read_text(encoding="utf-8"))
+    assert not re.search(r'(?:src|href)="(?!data:|#)', out.read_text(encoding="utf-8"))
     page = live(open_page(out), "light-meets-heavy")
     before = on_scene(page, "return el.trajectory.v.A.at(-1)", name="light-meets-heavy")
     on_scene(page, "await el.set({ 'A.mass': 3 })", name="light-meets-heavy")
