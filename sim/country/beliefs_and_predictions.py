@@ -38,6 +38,7 @@ def predictions_in(mine: Any) -> Any:
     before = found.again.isnull()  # the others had seen the run
     return found.group_by(*FORM, "item", "type", "chosen").agg(
         n=before.sum(), certain=(before & (found.sure == "sure")).sum(),
+        told=(before & (found.sure != "")).sum(),
         shut=(before & found.locked).sum(), again=found.again.notnull().sum(),
         ask=found.asked.max(), begun=found["first"].min(),
     )  # fmt: skip
@@ -77,7 +78,7 @@ def _row(name: str, cells: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     return {
         "id": name, "type": kind, "ask": max((c["ask"] or "" for c in cells), default=""),
         "n": sum(c["n"] for c in cells), "again": sum(c["again"] for c in cells),
-        "locked": sum(c["shut"] or 0 for c in cells),
+        "asked_sure": any(c["told"] for c in cells), "locked": sum(c["shut"] or 0 for c in cells),
         "answers": [{"said": c["chosen"], "count": c["n"], "sure": c["certain"]}
                     for c in order[:MOST]],
         "more": max(0, len(order) - MOST), "curves": [], "reasons": [],

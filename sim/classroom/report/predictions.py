@@ -48,7 +48,7 @@ def _row(name: str, made: Sequence[tuple[Marked, Item]]) -> dict[str, Any]:
         "ask": next((item.more["asked"] for _, item in made if item.more.get("asked")), ""),
         "n": len(items),
         "again": len(made) - len(items),
-        "asked_sure": any("sure" in item.more for item in items),
+        "asked_sure": any(item.more.get("sure") for item in items),
         "locked": sum("locked" in item.more for item in items),
         "answers": [{"said": said, "count": count, "sure": sure[said]} for said, count in words],
         "more": more,
