@@ -110,10 +110,9 @@ def test_what_one_plays_with_is_seen_together_and_large_enough_on_every_screen(
     before = page.evaluate(WIDTHS)
     if browser_name == "chromium":
         turned(page, PROJECTOR)
-        assert too_low_for_a_class(page) == []  # each is told there
+        assert too_low_for_a_class(page) == []
         turned(page, LAPTOP)
-    else:
-        all_shown(page)
+    all_shown(page)
     assert too_low(page, LAPTOP[1], {**parts, ".carts-plot": 2}) == []
     assert page.evaluate(WIDTHS) == before  # the picture never shrinks
     large_enough(page, least=64)
