@@ -88,7 +88,7 @@ def head(text: str) -> tuple[str, str]:
     text = narrow(text).strip()
     for pattern in _TOLD:
         if (match := pattern.fullmatch(text)) and is_unit(match["unit"]):
-            return match["name"].strip().removesuffix(" in"), match["unit"].strip()
+            return _parted(match)
     if (
         (match := _INSIDE.fullmatch(text))
         and is_unit(match["unit"])
@@ -97,8 +97,13 @@ def head(text: str) -> tuple[str, str]:
         return f"{match['name']} {match['who']}", match["unit"].strip()
     for pattern in _HEAD:
         if match := pattern.fullmatch(text):
-            return match["name"].strip().removesuffix(" in"), match["unit"].strip()
+            return _parted(match)
     return text, ""
+
+
+def _parted(match: re.Match[str]) -> tuple[str, str]:
+    """“v_A in (m/s)” is “v_A”."""
+    return match["name"].strip().removesuffix(" in"), match["unit"].strip()
 
 
 _PER_SECOND = re.compile(r"([cdmk]?m)[\s·⋅*.]*s(?:\^?[-−]1|⁻¹)", re.I)

@@ -125,6 +125,12 @@ IN_OTHER_WORDS = {
 }  # fmt: skip
 """What authors call the keys of a cart, where no spelling is near."""
 
+
+def is_word(name: str) -> bool:
+    """Whether a cart's name says what it is, as “truck” does and A does not (view/bodies.js)."""
+    return len(name) > 2
+
+
 TRACK_LENGTH = Field(
     "length",
     quantity.LENGTH,

@@ -14,6 +14,7 @@ from sim.pages.teach.right_answers import may_be_right
 from sim.pages.teach.spans import values
 from sim.pages.text.fence_scan import Block
 from sim.pages.text.yaml.source import KeyPath, Place
+from sim.scene.fields import is_word
 from sim.scene.laws import laws
 from sim.scene.track import WHAT
 
@@ -134,7 +135,7 @@ def _in_scene(path: KeyPath) -> tuple[str, str] | None:
         case (str(key),) if key in SCENE_ALONE:
             return "", SCENE_ALONE[key]
         case ("carts", str(name), str(key)):
-            return name if len(name) > 2 else f"Cart {name}", key.replace("_", " ")
+            return name if is_word(name) else f"Cart {name}", key.replace("_", " ")
         case ("contact", str(key)):
             return "Contact", key
         case ("contact", "pairs", str(pair), str(key)):

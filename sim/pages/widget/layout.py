@@ -18,6 +18,7 @@ from typing import Any
 
 from sim.pages.widget.reach import picture_window
 from sim.pages.widget.scale_of import Scales
+from sim.scene.fields import is_word
 
 WIDTH = {"wide": 720.0, "narrow": 350.0}
 ARROWS = {"wide": (100.0, 72.0), "narrow": (58.0, 44.0)}  # the longest of force, of velocity
@@ -100,8 +101,8 @@ def lay_out(
     scale = (width - left - right) / (high - low)
     lanes = min(count, MOST_LANES[kind])
     closest = min(b["length"] for b in header["bodies"]) * scale
-    longest = max(len(b["name"]) for b in header["bodies"])
-    sign = SIGN + (LETTER * longest if longest > 2 else 0.0)
+    words = (len(b["name"]) for b in header["bodies"] if is_word(b["name"]))
+    sign = SIGN + LETTER * max(words, default=0)
     ranks = min(count, MOST_RANKS, math.ceil(sign / closest))
     top = HEAD + (lanes - 1) * LANE + ABOVE + STAGGER * (ranks - 1) + scales.tallest
     contacts = header["contacts"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
 from tests.web.figures.measured_bench import LIVE, STARTS
@@ -30,13 +30,19 @@ HEIGHTS = """(texts) => texts.filter((one) => one.checkVisibility()).map((one) =
     / one.ownerSVGElement.viewBox.baseVal.width)"""
 
 
+def on_a_phone(folder: Path, open_page: OpenPage) -> Page:
+    """A bench with the readings of a film, which can be worked with."""
+    page = open_page(build_measured(folder) / "film.html")
+    page.set_viewport_size({"width": 360, "height": 740})
+    expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
+    return page
+
+
 def test_no_number_of_an_axis_is_cut_off_or_small_on_a_phone(
     tmp_path: Path, open_page: OpenPage
 ) -> None:
     """The last instant stands at the end of its axis: of “2.0” one read “2.(”."""
-    page = open_page(build_measured(tmp_path) / "film.html")
-    page.set_viewport_size({"width": 360, "height": 740})
-    expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
+    page = on_a_phone(tmp_path, open_page)
     rows = [f"{k / 20};{20 + k};{100}" for k in range(41)]  # until 2.0 s
     readings = tmp_path / "own.csv"
     readings.write_text("\n".join(["t [s];A [cm];B [cm]", *rows]) + "\n", encoding="utf-8")
@@ -49,9 +55,7 @@ def test_no_number_of_an_axis_is_cut_off_or_small_on_a_phone(
 def test_on_a_phone_the_fit_stands_below_its_sliders_and_says_what_it_found_there(
     tmp_path: Path, open_page: OpenPage
 ) -> None:
-    page = open_page(build_measured(tmp_path) / "film.html")
-    page.set_viewport_size({"width": 360, "height": 740})
-    expect(page.locator(LIVE)).to_have_count(1, timeout=STARTS)
+    page = on_a_phone(tmp_path, open_page)
     fit = page.locator(".carts-measured-fit")
     expect(fit).to_be_visible()
     tops = [
