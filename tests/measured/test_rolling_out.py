@@ -47,3 +47,17 @@ def test_a_long_even_parabola_down_to_rest_is_friction_and_no_stop() -> None:
 def test_the_contact_ends_before_both_carts_have_rolled_out() -> None:
     contact = analysed(rolled(0.03)).story.contact
     assert contact and contact.end - contact.begin < 0.3
+
+
+@pytest.mark.parametrize("rate", [30.0, 60.0, 120.0])
+def test_a_cart_that_a_bounce_leaves_slow_rolls_out_before_it_rests(rate: float) -> None:
+    """A tenth of its speed is left: 20 mm in half a second, forty times the noise."""
+    made = truth(
+        ratio=2.0, e=0.7, v=(0.6, 0.0), after=1.7, effects=({"friction": {"coefficient": "0.01"}},)
+    )
+    found = analysed(film(made, rate, 5e-4))
+    after = [s for s in found.story.segments if s.cart == 0 and s.begin > 0.7]
+    assert [s.kind for s in after] == ["friction", "rest"]
+    known = {row["key"]: row for row in found.report["known"]}
+    assert known["e"]["low"] < 0.7 < known["e"]["high"]
+    assert known["e"]["high"] - known["e"]["low"] < 0.2

@@ -34,6 +34,9 @@ SUDDEN = 0.35
 PUSHED = 0.15
 """Of the greatest speed: what a hand adds at least."""
 
+ROLLED = 15.0
+"""Times the noise of a cell: the way of a piece that is no rest."""
+
 SURELY, BENT = 4.0, 180.0**0.5
 """Standard deviations from which a velocity is said to change, for of a film many pieces are
 looked at; and that of the bend of n places with unit noise, times n½ and the square of the time
@@ -122,9 +125,18 @@ def _named(
             bend, slope = float(bent[0]), float(bent[1])
     speeds = slope - bend * reach, slope + bend * reach
     kind = _kind(speeds, 2.0 * bend, greatest)
+    if kind == "rest" and _rolls_out(speeds, bend, reach, grid.noise[cart]):
+        kind = "friction"
     if any(one.begin <= middle <= one.end for one in found):
         kind = "contact"
     return Segment(float(t[low]), float(t[high]), cart, kind, speeds)
+
+
+def _rolls_out(speeds: tuple[float, float], bend: float, reach: float, noise: float) -> bool:
+    """Whether a slow piece (m/s, m/s², s) is surely braked, and over a way that no `noise` [m] of a
+    resting cart has: a bounce may leave a cart a tenth of its speed, which a track then takes."""
+    way = 0.5 * abs(speeds[0] + speeds[1]) * reach
+    return bend != 0.0 and abs(speeds[1]) < abs(speeds[0]) and way > ROLLED * noise
 
 
 def segment(

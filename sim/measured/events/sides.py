@@ -137,7 +137,7 @@ def window(
     free = ("rest", "coasting", "friction")
     greatest = max((abs(v) for one in named for v in one.speeds if one.kind in free), default=0.0)
     low = high = contact.end if after else contact.begin
-    speed, fastest = None, 0.0
+    speed, fastest, braked = None, 0.0, False
     for one in named if after else reversed(named):
         near, far = (one.begin, one.end) if after else (one.end, one.begin)
         if (near < contact.end - 1e-9) if after else (near > contact.begin + 1e-9):
@@ -145,12 +145,13 @@ def window(
         first, last = one.speeds if after else one.speeds[::-1]
         jumps = speed is not None and abs(first - speed) > JUMP * greatest
         # Friction acts while a cart moves: what it has come to rest from ends there.
-        rests = one.kind == "rest" and fastest > MOVED * greatest and not rested
+        rests = one.kind == "rest" and (braked or fastest > MOVED * greatest) and not rested
         if one.kind not in free or jumps or rests:
             break
         far = _still_moving(one, near, far)
         fastest = max(fastest, abs(first), abs(last))
         low, high, speed = min(low, far), max(high, far), last
+        braked = one.kind == "friction"
     return max(low, contact.begin - longest), min(high, contact.end + longest)
 
 
