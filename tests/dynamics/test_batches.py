@@ -210,3 +210,19 @@ def test_the_greatest_force_of_a_spring_and_of_a_loose_one_is_that_of_hooke() ->
     ):
         grid = solve(plain, ((target, stiff),), ("F", "A-B"))
         assert run_points(plain, grid, ("F", "A-B"), 0) == pytest.approx(expected, rel=1e-9)
+
+
+def test_the_greatest_force_of_a_spring_is_where_it_turns_and_not_at_a_sample() -> None:
+    """Two carts drive a stretched spring apart: √((k d)² + u² k μ), soon after the start."""
+    plain = {
+        "carts": {
+            "A": {"mass": 0.5, "position": 0.6, "velocity": 0},
+            "B": {"mass": 1, "position": 1.1, "velocity": 0.4},
+        },
+        "track": {"length": 5}, "until": 0.15,
+        "effects": [{"spring": {"between": ["A", "B"], "stiffness": 10, "length": 0.1}}],
+    }  # fmt: skip
+    stiff = (11.0, 23.0, 47.0)
+    grid = solve(plain, (("spring.stiffness", stiff),), ("F", "A-B"))
+    expected = [math.hypot(0.2 * k, 0.4 * (k / 3) ** 0.5) for k in stiff]
+    assert run_points(plain, grid, ("F", "A-B"), 0) == pytest.approx(expected, rel=1e-6)

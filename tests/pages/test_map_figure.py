@@ -167,6 +167,51 @@ def test_the_scale_reaches_as_far_as_the_sliders() -> None:
     assert ends[1] > 2.0
 
 
+def test_the_scale_holds_what_lies_between_the_ends_of_a_slider() -> None:
+    """A cart in the middle hands on most when its mass is the geometric mean of both others."""
+    row = {
+        "carts": {
+            "A": {"mass": "4 kg", "position": 0.3, "velocity": "0.5 m/s"},
+            "B": {"mass": "8 kg", "position": 1.0},
+            "C": {"mass": "1 kg", "position": 1.7},
+        },
+        "track": {"length": 6}, "contact": {"law": "instant"}, "until": 3, "id": "middle",
+        "over": [{"set": "A.velocity", "from": "0.1 m/s", "to": "0.5 m/s"}], "show": "v.C",
+        "points": 5,
+        "controls": [{"set": "B.mass", "from": "0.5 kg", "to": "8 kg", "step": "0.5 kg"}],
+    }  # fmt: skip
+    run = bake_map(read_map(row), row)
+    assert isinstance(run, MapRun)
+    assert run.high > 0.99 * 0.5 * (2 * 4 / 6) * (2 * 2 / 3)
+
+
+def test_where_values_jump_no_band_between_is_drawn_and_no_line_of_zero() -> None:
+    """A second hit throws a cart back: in between it has no velocity."""
+    scale = scale_of(-1.0, 1.0)
+    steps = [0.10, 0.12, 0.14, 0.16, -0.90, -0.88, -0.86, -0.84]
+    drawn = pixels(steps * 3 + [0.08, *steps[:-1]] * 3, 8, scale)
+    line, count = 2 * scale["count"] + 1, scale["count"]
+    plain = {place if place < count else place - count - 1 for row in drawn for place in row}
+    assert line not in {place for row in drawn for place in row}
+    assert plain == {int((v - scale["low"]) / scale["step"] + 1e-9) for v in steps}
+
+
+def test_a_curve_breaks_at_a_jump_and_beyond_its_axis() -> None:
+    paths = view(
+        """const { curve } = await import(view + "/map/figure.js");
+        const axes = [{ set: "A.mass", low: 0, high: 5, scale: 1, unit: "kg", values: [] }];
+        const at = [0, 1, 2, 3, 4, 5];
+        give(data.map((values) => curve({ axes, low: 0, high: 1 }, at, values)));""",
+        [
+            [0, 0.1, 0.2, 0.3, 0.4, 0.5],
+            [0, 0.02, 0.04, 0.9, 0.92, 0.94],
+            [0, 0.4, 0.8, 1.6, 0.8, 0.4],
+        ],
+    )
+    assert [path.count("M") for path in paths] == [1, 2, 2]
+    assert [path.count("L") for path in paths] == [5, 4, 3]
+
+
 def test_a_map_over_one_number_is_a_curve() -> None:
     html = rendered(over=[{"set": "contact.restitution", "from": 0, "to": 1}], show="warmed")
     assert "data:image" not in html

@@ -139,7 +139,7 @@ def _run_one(plain: Mapping[str, Any], changes: Mapping[str, float], show: Show)
 
 
 def _greatest(done: Run, pair: str, *, linked: bool) -> float:
-    """N. As events tell it; of what no event tells, a spring, by the samples of the run."""
+    """N. As events tell it; of what no event tells, a spring, by the curve of the run."""
     told = [
         event.force or 0.0
         for event in done.record.events
@@ -148,7 +148,7 @@ def _greatest(done: Run, pair: str, *, linked: bool) -> float:
     grown = done.record.growing.items()
     told += [force for gap, force in grown if "-".join(done.scene.names_at(gap)) == pair]
     if linked:
-        told += map(abs, trajectory(done).columns.get(("F", pair), ()))
+        told.append(trajectory(done).greatest(pair))
     return max(told, default=0.0)
 
 

@@ -45,6 +45,20 @@ class Trajectory:
         """Samples in each column."""
         return len(self.columns[("t",)])
 
+    def greatest(self, pair: str) -> float:
+        """N. The greatest size of the force between a pair, also where it turns between rows."""
+        t, F, dF = (self.columns.get(name, ()) for name in (("t",), ("F", pair), ("dF", pair)))
+        most = max(map(abs, F), default=0.0)
+        for (begin, end), (low, high), (rises, falls) in zip(
+            *map(pairwise, (t, F, dF)), strict=True
+        ):
+            if rises * falls < 0.0 and end > begin:
+                s, h = rises / (rises - falls), end - begin
+                r = 1.0 - s
+                ends = low * (1.0 + 2.0 * s) * r * r + high * (1.0 + 2.0 * r) * s * s
+                most = max(most, abs(ends + h * s * r * (rises * r - falls * s)))
+        return most
+
 
 def trajectory(
     run: Run,

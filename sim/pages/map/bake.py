@@ -18,6 +18,10 @@ ROUGH = 9
 """Points per axis for the range that the sliders reach: extremes lie at the ends of an axis, as a
 rule; what lies outside after all is painted as the last band."""
 
+PLACES = {1: 9, 2: 5}
+"""Of each slider, by how many there are: an extreme may lie between its ends, as the speed that a
+cart in the middle hands on does."""
+
 
 @dataclass(frozen=True, slots=True)
 class MapRun:
@@ -46,14 +50,23 @@ def bake_map(described: Map, plain: Mapping[str, Any]) -> MapRun | list[Problem]
     if not seen:
         message = "no point of this map has a value: the scene makes no sense at any of them"
         return [Problem(("over",), "no-value", message, "look at the scene, or change from and to")]
-    ends = [((c.set, c.low), (c.set, c.high)) for c in described.controls]
-    for corner in itertools.product(*ends) if ends else ():
-        rough = _computed({**plain, "points": ROUGH}, dict(corner))
+    for chosen in _places(described):
+        rough = _computed({**plain, "points": ROUGH}, chosen)
         if not isinstance(rough, list):
             seen += [value for value in rough[1] if not math.isnan(value)]
     return MapRun(
         header["axes"], values, min(seen), max(seen), from_wire(header["why"]), _packages(described)
     )
+
+
+def _places(described: Map) -> list[dict[str, float]]:
+    """What the sliders may be set to, evenly spread; nothing where a map has none."""
+    count = PLACES.get(len(described.controls), 0)
+    every = [
+        [(c.set, c.low + (c.high - c.low) * k / (count - 1)) for k in range(count)]
+        for c in described.controls
+    ]
+    return [dict(chosen) for chosen in itertools.product(*every)] if every else []
 
 
 def _packages(described: Map) -> tuple[str, ...]:

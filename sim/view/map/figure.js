@@ -12,6 +12,7 @@ import { html } from "../markup.js";
 import { fixed, px } from "../numbers.js";
 import { axis, axisDecimals, span, ticks } from "../scales.js";
 import { edgeDecimals, edges, scaleFor } from "./bands.js";
+import { torn } from "./pixels.js";
 import { named, shown } from "./words.js";
 
 /** @typedef {import("./types.js").MapFacts} MapFacts */
@@ -41,7 +42,7 @@ export function up(value, { low, high }) {
   return BOTTOM - (value - low) * ((BOTTOM - TOP) / (high - low));
 }
 
-/** The curve of a map over one number; it breaks where there is no value. @param {MapFacts} facts @param {number[]} points SI @param {ArrayLike<number>} values @returns {string} */
+/** The curve of a map over one number; it breaks where there is no value, at a jump, and beyond the axis. @param {MapFacts} facts @param {number[]} points SI @param {ArrayLike<number>} values @returns {string} */
 export function curve(facts, points, values) {
   const along = facts.axes[0];
   if (!along) return "";
@@ -49,12 +50,12 @@ export function curve(facts, points, values) {
   let path = "";
   let pen = "M";
   for (const [k, point] of points.entries()) {
-    const value = Number(values[k]);
-    if (Number.isNaN(value)) pen = "M";
-    else {
+    const [before, last, value, next] = [k - 2, k - 1, k, k + 1].map((at) => Number(values[at]));
+    if (torn(before, last, value, next, (y.high - y.low) / TICKS)) pen = "M";
+    if (value >= y.low && value <= y.high) {
       path += `${pen}${px(across(shown(point, along), x))} ${px(up(value, y))}`;
       pen = "L";
-    }
+    } else pen = "M";
   }
   return path;
 }

@@ -1,6 +1,6 @@
 /**
  * The picture of a map: bands of colour with a darker edge. Between the points of the grid it is drawn with
- * straight lines; beside a point without a value each point keeps to itself.
+ * straight lines; where values jump, and beside a point without one, each point keeps to itself.
  */
 
 import { STEP_SLACK } from "../scales.js";
@@ -10,6 +10,7 @@ import { edge, NONE, ZERO } from "./palette.js";
 /** @typedef {import("./types.js").Grid} Grid */
 
 const FINE = 400; // pixels along the longer side, at least
+const TORN = 3; // bands from a point to the next, and times what it is on either side of them: a jump
 
 /** @param {number} value @param {Scale} scale @returns {number} count where there is no value */
 function band(value, { low, step, count }) {
@@ -18,26 +19,34 @@ function band(value, { low, step, count }) {
   return Math.min(count - 1, Math.max(0, place));
 }
 
-/** @param {number} a @param {number} b @param {number} part @returns {number} where a value is missing, the nearer */
-function mixed(a, b, part) {
-  if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
-  return a * (1 - part) + b * part;
+/**
+ * Whether there is no line from a to b: a value is missing, or they differ far more than their neighbours do.
+ * @param {number} before @param {number} a @param {number} b @param {number} after @param {number} step
+ */
+export function torn(before, a, b, after, step) {
+  const beside = Math.max(Math.abs(a - before) || 0, Math.abs(b - after) || 0, step);
+  return !(Math.abs(b - a) <= TORN * beside);
 }
 
 /**
  * Each of `lines` lines of `count` values with more points in between, one after the other.
  * @param {ArrayLike<number>} values @param {number} lines @param {number} count @param {number} factor
- * @param {number} next from a value to the next @param {number} line from a line to the next
+ * @param {number} next from a value to the next @param {number} line from a line to the next @param {number} step of a band
  */
-function between(values, lines, count, factor, next, line) {
+function between(values, lines, count, factor, next, line, step) {
   const fine = (count - 1) * factor + 1;
   const found = new Float64Array(lines * fine);
   for (let i = 0; i < lines; i += 1) {
-    for (let k = 0; k < fine; k += 1) {
-      const left = Math.min(Math.floor(k / factor), count - 2);
-      const at = i * line + left * next;
-      const part = (k - left * factor) / factor;
-      found[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
+    const value = (/** @type {number} */ k) =>
+      k < 0 || k >= count ? Number.NaN : Number(values[i * line + k * next]);
+    for (let left = 0; left < count - 1; left += 1) {
+      const [a, b] = [value(left), value(left + 1)];
+      const apart = torn(value(left - 1), a, b, value(left + 2), step);
+      for (let k = 0; k <= factor; k += 1) {
+        const part = k / factor;
+        const mixed = a * (1 - part) + b * part;
+        found[i * fine + left * factor + k] = !apart ? mixed : part < 0.5 ? a : b;
+      }
     }
   }
   return found;
@@ -54,8 +63,8 @@ export function pixels(values, columns, scale) {
   const factor = Math.max(1, Math.ceil(FINE / (Math.max(columns, rows) - 1)));
   const width = (columns - 1) * factor + 1;
   const height = (rows - 1) * factor + 1;
-  const wide = between(values, rows, columns, factor, 1, columns); // row after row
-  const fine = between(wide, width, rows, factor, width, 1); // column after column, from below
+  const wide = between(values, rows, columns, factor, 1, columns, scale.step); // row after row
+  const fine = between(wide, width, rows, factor, width, 1, scale.step); // column after column, from below
   const bands = new Uint8Array(width * height);
   for (let y = 0; y < height; y += 1) {
     for (let x = 0; x < width; x += 1) {
@@ -66,7 +75,7 @@ export function pixels(values, columns, scale) {
 }
 
 /**
- * The bands with their edges, and the line of zero, twice as broad.
+ * The bands with their edges, and the line of zero, twice as broad; a jump across zero is an edge.
  * @param {Uint8Array} bands @param {number} width @param {Scale} scale @returns {Uint8Array}
  */
 function lines(bands, width, { count, zero }) {
@@ -76,7 +85,7 @@ function lines(bands, width, { count, zero }) {
     const own = Number(bands[at]);
     const next = Number(bands[other]);
     if (next === own || own === count) return;
-    if (next !== count && own >= zero !== next >= zero) {
+    if (next !== count && own >= zero !== next >= zero && Math.abs(own - next) === 1) {
       places[at] = line;
       places[other] = line;
     } else if (places[at] !== line) places[at] = count + 1 + own;

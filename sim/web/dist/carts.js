@@ -2510,6 +2510,72 @@
     };
   }
 
+  // ../view/map/pixels.js
+  var FINE = 400;
+  var TORN2 = 3;
+  function band(value, { low, step, count: count2 }) {
+    if (Number.isNaN(value)) return count2;
+    const place4 = Math.floor((value - low) / step + STEP_SLACK);
+    return Math.min(count2 - 1, Math.max(0, place4));
+  }
+  function torn(before, a2, b2, after, step) {
+    const beside2 = Math.max(Math.abs(a2 - before) || 0, Math.abs(b2 - after) || 0, step);
+    return !(Math.abs(b2 - a2) <= TORN2 * beside2);
+  }
+  function between(values, lines4, count2, factor, next, line3, step) {
+    const fine = (count2 - 1) * factor + 1;
+    const found3 = new Float64Array(lines4 * fine);
+    for (let i2 = 0; i2 < lines4; i2 += 1) {
+      const value = (k) => k < 0 || k >= count2 ? Number.NaN : Number(values[i2 * line3 + k * next]);
+      for (let left2 = 0; left2 < count2 - 1; left2 += 1) {
+        const [a2, b2] = [value(left2), value(left2 + 1)];
+        const apart = torn(value(left2 - 1), a2, b2, value(left2 + 2), step);
+        for (let k = 0; k <= factor; k += 1) {
+          const part = k / factor;
+          const mixed = a2 * (1 - part) + b2 * part;
+          found3[i2 * fine + left2 * factor + k] = !apart ? mixed : part < 0.5 ? a2 : b2;
+        }
+      }
+    }
+    return found3;
+  }
+  function pixels(values, columns, scale) {
+    const rows = values.length / columns;
+    const factor = Math.max(1, Math.ceil(FINE / (Math.max(columns, rows) - 1)));
+    const width = (columns - 1) * factor + 1;
+    const height = (rows - 1) * factor + 1;
+    const wide = between(values, rows, columns, factor, 1, columns, scale.step);
+    const fine = between(wide, width, rows, factor, width, 1, scale.step);
+    const bands = new Uint8Array(width * height);
+    for (let y2 = 0; y2 < height; y2 += 1) {
+      for (let x2 = 0; x2 < width; x2 += 1) {
+        bands[y2 * width + x2] = band(Number(fine[x2 * height + (height - 1 - y2)]), scale);
+      }
+    }
+    return { places: lines(bands, width, scale), width, height };
+  }
+  function lines(bands, width, { count: count2, zero }) {
+    const places = bands.slice();
+    const line3 = 2 * count2 + 1;
+    const compare = (at3, other) => {
+      const own = Number(bands[at3]);
+      const next = Number(bands[other]);
+      if (next === own || own === count2) return;
+      if (next !== count2 && own >= zero !== next >= zero && Math.abs(own - next) === 1) {
+        places[at3] = line3;
+        places[other] = line3;
+      } else if (places[at3] !== line3) places[at3] = count2 + 1 + own;
+    };
+    for (let at3 = 0; at3 < bands.length; at3 += 1) {
+      if ((at3 + 1) % width) compare(at3, at3 + 1);
+      if (at3 + width < bands.length) compare(at3, at3 + width);
+    }
+    return places;
+  }
+  function palette({ colours }) {
+    return [...colours, NONE, ...colours.map(edge2), ZERO];
+  }
+
   // ../view/map/figure.js
   var [LEFT3, TOP3, RIGHT3, BOTTOM3] = [58, 10, 388, 270];
   var WIDTH2 = 400;
@@ -2530,12 +2596,12 @@
     let path3 = "";
     let pen = "M";
     for (const [k, point] of points.entries()) {
-      const value = Number(values[k]);
-      if (Number.isNaN(value)) pen = "M";
-      else {
+      const [before, last, value, next] = [k - 2, k - 1, k, k + 1].map((at3) => Number(values[at3]));
+      if (torn(before, last, value, next, (y2.high - y2.low) / TICKS)) pen = "M";
+      if (value >= y2.low && value <= y2.high) {
         path3 += `${pen}${px(across(shown(point, along), x2))} ${px(up(value, y2))}`;
         pen = "L";
-      }
+      } else pen = "M";
     }
     return path3;
   }
@@ -2566,67 +2632,6 @@
       };
       if (followPointer(down, moved)) moved(0, down);
     });
-  }
-
-  // ../view/map/pixels.js
-  var FINE = 400;
-  function band(value, { low, step, count: count2 }) {
-    if (Number.isNaN(value)) return count2;
-    const place4 = Math.floor((value - low) / step + STEP_SLACK);
-    return Math.min(count2 - 1, Math.max(0, place4));
-  }
-  function mixed(a2, b2, part) {
-    if (Number.isNaN(a2) || Number.isNaN(b2)) return part < 0.5 ? a2 : b2;
-    return a2 * (1 - part) + b2 * part;
-  }
-  function between(values, lines4, count2, factor, next, line3) {
-    const fine = (count2 - 1) * factor + 1;
-    const found3 = new Float64Array(lines4 * fine);
-    for (let i2 = 0; i2 < lines4; i2 += 1) {
-      for (let k = 0; k < fine; k += 1) {
-        const left2 = Math.min(Math.floor(k / factor), count2 - 2);
-        const at3 = i2 * line3 + left2 * next;
-        const part = (k - left2 * factor) / factor;
-        found3[i2 * fine + k] = mixed(Number(values[at3]), Number(values[at3 + next]), part);
-      }
-    }
-    return found3;
-  }
-  function pixels(values, columns, scale) {
-    const rows = values.length / columns;
-    const factor = Math.max(1, Math.ceil(FINE / (Math.max(columns, rows) - 1)));
-    const width = (columns - 1) * factor + 1;
-    const height = (rows - 1) * factor + 1;
-    const wide = between(values, rows, columns, factor, 1, columns);
-    const fine = between(wide, width, rows, factor, width, 1);
-    const bands = new Uint8Array(width * height);
-    for (let y2 = 0; y2 < height; y2 += 1) {
-      for (let x2 = 0; x2 < width; x2 += 1) {
-        bands[y2 * width + x2] = band(Number(fine[x2 * height + (height - 1 - y2)]), scale);
-      }
-    }
-    return { places: lines(bands, width, scale), width, height };
-  }
-  function lines(bands, width, { count: count2, zero }) {
-    const places = bands.slice();
-    const line3 = 2 * count2 + 1;
-    const compare = (at3, other) => {
-      const own = Number(bands[at3]);
-      const next = Number(bands[other]);
-      if (next === own || own === count2) return;
-      if (next !== count2 && own >= zero !== next >= zero) {
-        places[at3] = line3;
-        places[other] = line3;
-      } else if (places[at3] !== line3) places[at3] = count2 + 1 + own;
-    };
-    for (let at3 = 0; at3 < bands.length; at3 += 1) {
-      if ((at3 + 1) % width) compare(at3, at3 + 1);
-      if (at3 + width < bands.length) compare(at3, at3 + width);
-    }
-    return places;
-  }
-  function palette({ colours }) {
-    return [...colours, NONE, ...colours.map(edge2), ZERO];
   }
 
   // src/map/paint.js
@@ -10314,10 +10319,10 @@ ${lines4.join("\n")}
     }
     stand() {
       for (const stage of this.stages) stage.show(this.run, this.windows);
-      const torn = this.stages.some((stage) => stage.torn);
+      const torn2 = this.stages.some((stage) => stage.torn);
       for (const sign of this.torn) {
-        if (torn) sign.removeAttribute("hidden");
-        put(sign, "data-now", torn ? "yes" : "no");
+        if (torn2) sign.removeAttribute("hidden");
+        put(sign, "data-now", torn2 ? "yes" : "no");
       }
     }
     #words() {

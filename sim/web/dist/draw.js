@@ -10939,24 +10939,29 @@ ${rows.map(row)}</tbody>
 
   // ../view/map/pixels.js
   var FINE = 400;
+  var TORN = 3;
   function band(value, { low, step, count }) {
     if (Number.isNaN(value)) return count;
     const place2 = Math.floor((value - low) / step + STEP_SLACK);
     return Math.min(count - 1, Math.max(0, place2));
   }
-  function mixed(a, b, part) {
-    if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
-    return a * (1 - part) + b * part;
+  function torn(before2, a, b, after2, step) {
+    const beside2 = Math.max(Math.abs(a - before2) || 0, Math.abs(b - after2) || 0, step);
+    return !(Math.abs(b - a) <= TORN * beside2);
   }
-  function between(values, lines3, count, factor, next, line2) {
+  function between(values, lines3, count, factor, next, line2, step) {
     const fine = (count - 1) * factor + 1;
     const found = new Float64Array(lines3 * fine);
     for (let i = 0; i < lines3; i += 1) {
-      for (let k = 0; k < fine; k += 1) {
-        const left = Math.min(Math.floor(k / factor), count - 2);
-        const at = i * line2 + left * next;
-        const part = (k - left * factor) / factor;
-        found[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
+      const value = (k) => k < 0 || k >= count ? Number.NaN : Number(values[i * line2 + k * next]);
+      for (let left = 0; left < count - 1; left += 1) {
+        const [a, b] = [value(left), value(left + 1)];
+        const apart = torn(value(left - 1), a, b, value(left + 2), step);
+        for (let k = 0; k <= factor; k += 1) {
+          const part = k / factor;
+          const mixed = a * (1 - part) + b * part;
+          found[i * fine + left * factor + k] = !apart ? mixed : part < 0.5 ? a : b;
+        }
       }
     }
     return found;
@@ -10966,8 +10971,8 @@ ${rows.map(row)}</tbody>
     const factor = Math.max(1, Math.ceil(FINE / (Math.max(columns, rows) - 1)));
     const width = (columns - 1) * factor + 1;
     const height = (rows - 1) * factor + 1;
-    const wide = between(values, rows, columns, factor, 1, columns);
-    const fine = between(wide, width, rows, factor, width, 1);
+    const wide = between(values, rows, columns, factor, 1, columns, scale.step);
+    const fine = between(wide, width, rows, factor, width, 1, scale.step);
     const bands = new Uint8Array(width * height);
     for (let y = 0; y < height; y += 1) {
       for (let x = 0; x < width; x += 1) {
@@ -10983,7 +10988,7 @@ ${rows.map(row)}</tbody>
       const own = Number(bands[at]);
       const next = Number(bands[other]);
       if (next === own || own === count) return;
-      if (next !== count && own >= zero !== next >= zero) {
+      if (next !== count && own >= zero !== next >= zero && Math.abs(own - next) === 1) {
         places[at] = line2;
         places[other] = line2;
       } else if (places[at] !== line2) places[at] = count + 1 + own;
@@ -11041,12 +11046,12 @@ ${rows.map(row)}</tbody>
     let path3 = "";
     let pen = "M";
     for (const [k, point] of points.entries()) {
-      const value = Number(values[k]);
-      if (Number.isNaN(value)) pen = "M";
-      else {
+      const [before2, last, value, next] = [k - 2, k - 1, k, k + 1].map((at) => Number(values[at]));
+      if (torn(before2, last, value, next, (y.high - y.low) / TICKS)) pen = "M";
+      if (value >= y.low && value <= y.high) {
         path3 += `${pen}${px(across(shown(point, along), x))} ${px(up(value, y))}`;
         pen = "L";
-      }
+      } else pen = "M";
     }
     return path3;
   }
@@ -11571,7 +11576,7 @@ ${table3(facts)}
   var LONGEST = 1.15;
   var FASTEST = 2.2;
   var EDGE2 = 5;
-  var TORN = 6;
+  var TORN2 = 6;
   var LINE = 14;
   var NAMED = 34;
   var LETTER = 9.5;
@@ -11640,7 +11645,7 @@ ${table3(facts)}
     return `M${px(x)} ${px(y - 3)}L${px(neck)} ${px(y - 3)}L${px(neck)} ${px(y - 6.5)}L${px(tip)} ${px(y)}L${px(neck)} ${px(y + 6.5)}L${px(neck)} ${px(y + 3)}L${px(x)} ${px(y + 3)}Z`;
   }
   function cutArrow(x, y, length) {
-    const half = length / 2 - Math.sign(length) * TORN / 2;
+    const half = length / 2 - Math.sign(length) * TORN2 / 2;
     const piece = `M${px(x)} ${px(y - 3)}h${px(half)}v6h${px(-half)}Z`;
     return piece + blockArrow(x + length - half, y, half);
   }
@@ -15772,10 +15777,10 @@ ${asksForForces(baked) && find2()}${found && html`<p class="carts-found" hidden>
     }
     stand() {
       for (const stage2 of this.stages) stage2.show(this.run, this.windows);
-      const torn = this.stages.some((stage2) => stage2.torn);
+      const torn2 = this.stages.some((stage2) => stage2.torn);
       for (const sign of this.torn) {
-        if (torn) sign.removeAttribute("hidden");
-        put(sign, "data-now", torn ? "yes" : "no");
+        if (torn2) sign.removeAttribute("hidden");
+        put(sign, "data-now", torn2 ? "yes" : "no");
       }
     }
     #words() {

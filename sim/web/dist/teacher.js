@@ -1568,6 +1568,72 @@
   // ../view/skeleton/mark.js
   var liveMark = () => html2`<span class="carts-mark" role="img" aria-label=${tr("not live yet")}><span class="carts-mark-text" aria-hidden="true">${tr("live")}</span></span>`;
 
+  // ../view/map/pixels.js
+  var FINE = 400;
+  var TORN = 3;
+  function band(value, { low, step, count: count2 }) {
+    if (Number.isNaN(value)) return count2;
+    const place4 = Math.floor((value - low) / step + STEP_SLACK);
+    return Math.min(count2 - 1, Math.max(0, place4));
+  }
+  function torn(before, a, b, after, step) {
+    const beside = Math.max(Math.abs(a - before) || 0, Math.abs(b - after) || 0, step);
+    return !(Math.abs(b - a) <= TORN * beside);
+  }
+  function between(values, lines3, count2, factor, next, line, step) {
+    const fine = (count2 - 1) * factor + 1;
+    const found = new Float64Array(lines3 * fine);
+    for (let i = 0; i < lines3; i += 1) {
+      const value = (k) => k < 0 || k >= count2 ? Number.NaN : Number(values[i * line + k * next]);
+      for (let left = 0; left < count2 - 1; left += 1) {
+        const [a, b] = [value(left), value(left + 1)];
+        const apart = torn(value(left - 1), a, b, value(left + 2), step);
+        for (let k = 0; k <= factor; k += 1) {
+          const part = k / factor;
+          const mixed = a * (1 - part) + b * part;
+          found[i * fine + left * factor + k] = !apart ? mixed : part < 0.5 ? a : b;
+        }
+      }
+    }
+    return found;
+  }
+  function pixels(values, columns, scale) {
+    const rows = values.length / columns;
+    const factor = Math.max(1, Math.ceil(FINE / (Math.max(columns, rows) - 1)));
+    const width = (columns - 1) * factor + 1;
+    const height = (rows - 1) * factor + 1;
+    const wide = between(values, rows, columns, factor, 1, columns, scale.step);
+    const fine = between(wide, width, rows, factor, width, 1, scale.step);
+    const bands = new Uint8Array(width * height);
+    for (let y = 0; y < height; y += 1) {
+      for (let x = 0; x < width; x += 1) {
+        bands[y * width + x] = band(Number(fine[x * height + (height - 1 - y)]), scale);
+      }
+    }
+    return { places: lines(bands, width, scale), width, height };
+  }
+  function lines(bands, width, { count: count2, zero }) {
+    const places = bands.slice();
+    const line = 2 * count2 + 1;
+    const compare = (at, other) => {
+      const own = Number(bands[at]);
+      const next = Number(bands[other]);
+      if (next === own || own === count2) return;
+      if (next !== count2 && own >= zero !== next >= zero && Math.abs(own - next) === 1) {
+        places[at] = line;
+        places[other] = line;
+      } else if (places[at] !== line) places[at] = count2 + 1 + own;
+    };
+    for (let at = 0; at < bands.length; at += 1) {
+      if ((at + 1) % width) compare(at, at + 1);
+      if (at + width < bands.length) compare(at, at + width);
+    }
+    return places;
+  }
+  function palette({ colours }) {
+    return [...colours, NONE, ...colours.map(edge), ZERO];
+  }
+
   // ../view/map/words.js
   var SMALLER = 2;
   var EXACT = 12;
@@ -1611,12 +1677,12 @@
     let path2 = "";
     let pen = "M";
     for (const [k, point] of points.entries()) {
-      const value = Number(values[k]);
-      if (Number.isNaN(value)) pen = "M";
-      else {
+      const [before, last, value, next] = [k - 2, k - 1, k, k + 1].map((at) => Number(values[at]));
+      if (torn(before, last, value, next, (y.high - y.low) / TICKS)) pen = "M";
+      if (value >= y.low && value <= y.high) {
         path2 += `${pen}${px(across(shown(point, along), x))} ${px(up(value, y))}`;
         pen = "L";
-      }
+      } else pen = "M";
     }
     return path2;
   }
@@ -2834,7 +2900,7 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
     glider: { wheels: false, lift: GAP, corner: 4, lines: glider }
   };
   function van(box, front) {
-    return lines(box, front, [
+    return lines2(box, front, [
       [
         [0.06, 0.9],
         [0.34, 0.9],
@@ -2856,7 +2922,7 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
     ]);
   }
   function truck(box, front) {
-    return lines(box, front, [
+    return lines2(box, front, [
       [
         [0.22, 0],
         [0.22, 1]
@@ -2875,7 +2941,7 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
     ]);
   }
   function trailer(box, front) {
-    return lines(box, front, [
+    return lines2(box, front, [
       [
         [-0.5, 0.2],
         [0.5, 0.2]
@@ -2889,7 +2955,7 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
     ]);
   }
   function crate(box, front) {
-    return lines(box, front, [
+    return lines2(box, front, [
       [
         [-0.4, 0.1],
         [0.4, 0.1],
@@ -2916,7 +2982,7 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
     ]);
   }
   function puck(box, front) {
-    return lines(box, front, [
+    return lines2(box, front, [
       [
         [-0.48, 0.15],
         [0.48, 0.15]
@@ -2929,7 +2995,7 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
   }
   function glider(box, front) {
     const top = Math.min(SADDLE / box.height, 0.4);
-    return lines(box, front, [
+    return lines2(box, front, [
       [
         [-0.5, top],
         [0.5, top]
@@ -2942,7 +3008,7 @@ ${rows}</div>${!numbers && html2`<p class="carts-relation" role="status"></p>`}`
       )
     ]);
   }
-  function lines({ width, height }, front, strokes) {
+  function lines2({ width, height }, front, strokes) {
     if (width < NARROW) return "";
     const at = ([x, y]) => `${px(front * x * width)} ${px(-y * height)}`;
     return strokes.map((points) => `M${points.map(at).join("L")}`).join("");
@@ -3204,67 +3270,6 @@ ${asksForForces(baked) && find()}${found && html2`<p class="carts-found" hidden>
       "Seen from a camera that moves at {velocity} along the track. Positions and velocities are measured from the camera.",
       { velocity: motion(camera, 2, Math.abs(camera)) }
     );
-  }
-
-  // ../view/map/pixels.js
-  var FINE = 400;
-  function band(value, { low, step, count: count2 }) {
-    if (Number.isNaN(value)) return count2;
-    const place4 = Math.floor((value - low) / step + STEP_SLACK);
-    return Math.min(count2 - 1, Math.max(0, place4));
-  }
-  function mixed(a, b, part) {
-    if (Number.isNaN(a) || Number.isNaN(b)) return part < 0.5 ? a : b;
-    return a * (1 - part) + b * part;
-  }
-  function between(values, lines3, count2, factor, next, line) {
-    const fine = (count2 - 1) * factor + 1;
-    const found = new Float64Array(lines3 * fine);
-    for (let i = 0; i < lines3; i += 1) {
-      for (let k = 0; k < fine; k += 1) {
-        const left = Math.min(Math.floor(k / factor), count2 - 2);
-        const at = i * line + left * next;
-        const part = (k - left * factor) / factor;
-        found[i * fine + k] = mixed(Number(values[at]), Number(values[at + next]), part);
-      }
-    }
-    return found;
-  }
-  function pixels(values, columns, scale) {
-    const rows = values.length / columns;
-    const factor = Math.max(1, Math.ceil(FINE / (Math.max(columns, rows) - 1)));
-    const width = (columns - 1) * factor + 1;
-    const height = (rows - 1) * factor + 1;
-    const wide = between(values, rows, columns, factor, 1, columns);
-    const fine = between(wide, width, rows, factor, width, 1);
-    const bands = new Uint8Array(width * height);
-    for (let y = 0; y < height; y += 1) {
-      for (let x = 0; x < width; x += 1) {
-        bands[y * width + x] = band(Number(fine[x * height + (height - 1 - y)]), scale);
-      }
-    }
-    return { places: lines2(bands, width, scale), width, height };
-  }
-  function lines2(bands, width, { count: count2, zero }) {
-    const places = bands.slice();
-    const line = 2 * count2 + 1;
-    const compare = (at, other) => {
-      const own = Number(bands[at]);
-      const next = Number(bands[other]);
-      if (next === own || own === count2) return;
-      if (next !== count2 && own >= zero !== next >= zero) {
-        places[at] = line;
-        places[other] = line;
-      } else if (places[at] !== line) places[at] = count2 + 1 + own;
-    };
-    for (let at = 0; at < bands.length; at += 1) {
-      if ((at + 1) % width) compare(at, at + 1);
-      if (at + width < bands.length) compare(at, at + width);
-    }
-    return places;
-  }
-  function palette({ colours }) {
-    return [...colours, NONE, ...colours.map(edge), ZERO];
   }
 
   // src/map/paint.js

@@ -1,4 +1,4 @@
-"""A browser that does not know `:has` (Firefox below 121) leaves out the whole list that it stands in.
+"""A browser that does not know `:has` (Firefox below 121) leaves out the whole list around it.
 
 Within `:is(…)` it leaves out that one selector only.
 """
