@@ -912,9 +912,10 @@
     return tr("{label}: {range}, please.", { label, range: `${range} ${unit}`.trim() });
   }
   var withoutNewtons = (typed) => typed.replace(/\s*N\s*$/i, "");
+  var APART = /^([+\-−–]?[1-9]\d{0,2})((?:\s\d{3})+)(?!\d)/;
   function tidy(typed) {
     const narrow = (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248);
-    return typed.trim().replace(/[０-９．，＋－]/g, narrow).replace(/^([+\-−–])\s+(?=[\d.,])/, "$1");
+    return typed.trim().replace(/[０-９．，＋－]/g, narrow).replace(/^([+\-−–])\s+(?=[\d.,])/, "$1").replace(APART, (whole) => whole.replace(/\s/g, ""));
   }
   function twoReadings(typed) {
     const text = GROUPED.exec(typed)?.[0];
@@ -3769,7 +3770,7 @@
     p: [tr("Momentum"), "p", "kg m/s"],
     energy: [tr("Kinetic energy"), "E", "J"]
   };
-  var APART = "apart";
+  var APART2 = "apart";
   var IMPULSE_ONLY = tr("too large and too short to draw: see the impulses under “What happens”");
   var JUMP_ONLY = tr("where v jumps, the acceleration is too large and too short to draw");
   function motion(velocity3, decimals, scale) {
@@ -3780,7 +3781,7 @@
   }
   function lawsOf(header) {
     const laws = Object.fromEntries(header.contacts.map(({ pair, law }) => [pair, law]));
-    for (const bodies of pairsApart(header)) laws[bodies.join("-")] = APART;
+    for (const bodies of pairsApart(header)) laws[bodies.join("-")] = APART2;
     return laws;
   }
   function bareOf({ bodies, contacts }) {
@@ -3851,7 +3852,7 @@
   function peakSentence({ bodies, force: greatest4 }, { decimals, forces: forces2 }, laws, bare, pair) {
     const key = bodies.join("-");
     const force2 = `${fixed(greatest4 ?? 0, decimals.F ?? 2)} N`;
-    if (laws[key] === APART) {
+    if (laws[key] === APART2) {
       return forces2 ? tr("{pair} are nearest: {force} on each.", { pair, force: force2 }) : tr("{pair} are nearest.", { pair });
     }
     const told4 = forces2 && greatest4;
@@ -8033,7 +8034,7 @@ ${lines4.join("\n")}
   var BOX = { left: 20, right: 240, top: 8, bottom: 52 };
   var AXIS = 38;
   var MIDDLE2 = WIDTH4 / 2;
-  var APART2 = 8;
+  var APART3 = 8;
   var FULL = 95;
   var FreeBody = class {
     #run = null;
@@ -8121,7 +8122,7 @@ ${lines4.join("\n")}
   function tail({ way, side, value }) {
     if (way === "up") {
       const middle = (BOX.top + BOX.bottom) / 2;
-      return value < 0 ? [MIDDLE2 - APART2, middle] : [MIDDLE2 + APART2, BOX.bottom];
+      return value < 0 ? [MIDDLE2 - APART3, middle] : [MIDDLE2 + APART3, BOX.bottom];
     }
     if (side === "middle") return [MIDDLE2, AXIS];
     if (side === "below") return [MIDDLE2, BOX.bottom];
@@ -8130,12 +8131,12 @@ ${lines4.join("\n")}
   }
 
   // ../view/deformation/bubbles.js
-  var APART3 = 13;
+  var APART4 = 13;
   var RADIUS = 3.5;
   var SMALL = 0.6;
   function bubbles(front, back, depth, [top, foot], size = 1) {
-    const columns = Math.max(2, Math.round(depth / (APART3 * size)));
-    const rows = Math.max(2, Math.floor((foot - top) / (APART3 * size)));
+    const columns = Math.max(2, Math.round(depth / (APART4 * size)));
+    const rows = Math.max(2, Math.floor((foot - top) / (APART4 * size)));
     let d2 = "";
     for (let row = 0; row < rows; row += 1) {
       const y2 = top + (row + 0.5) * (foot - top) / rows;
@@ -10093,7 +10094,7 @@ ${lines4.join("\n")}
     const laws = lawsOf(header);
     const alike = /* @__PURE__ */ new Map();
     for (const contact of header.contacts) {
-      if (laws[contact.pair] === APART) continue;
+      if (laws[contact.pair] === APART2) continue;
       const key = `${contact.restitution === null} ${contact.stiffness === null}`;
       alike.set(key, [...alike.get(key) ?? [], contact]);
     }

@@ -38,13 +38,16 @@ export function outside({ label, unit }, low, high) {
 /** What was typed in a box of forces, whose own unit may stand behind it. @param {string} typed */
 export const withoutNewtons = (typed) => typed.replace(/\s*N\s*$/i, "");
 
-/** Figures and signs as wide as a Chinese letter are the same numbers; a sign may stand apart. @param {string} typed */
+const APART = /^([+\-−–]?[1-9]\d{0,2})((?:\s\d{3})+)(?!\d)/;
+
+/** Figures and signs as wide as a Chinese letter are the same numbers; a sign may stand apart, and thousands. @param {string} typed */
 export function tidy(typed) {
   const narrow = (/** @type {string} */ sign) => String.fromCharCode(sign.charCodeAt(0) - 0xfee0);
   return typed
     .trim()
     .replace(/[０-９．，＋－]/g, narrow)
-    .replace(/^([+\-−–])\s+(?=[\d.,])/, "$1");
+    .replace(/^([+\-−–])\s+(?=[\d.,])/, "$1")
+    .replace(APART, (whole) => whole.replace(/\s/g, ""));
 }
 
 /** What a comma before three digits can mean, with a unit behind it or none; empty: there is none. @param {string} typed */
