@@ -140,6 +140,18 @@ def test_the_readings_are_metres_along_the_track_and_seconds_of_the_film(tilt: f
     assert between[1] - between[0] == pytest.approx(motion[1][0] - motion[0][0], abs=1e-3)
 
 
+def test_a_film_on_its_side_is_read_downwards_however_its_marks_scatter() -> None:
+    """Upright but for a degree, one way or the other; one that rises to the right stays so."""
+    leans = ((0.0, 10), (0.1, 10), (-0.1, 10), (9, 10), (10, -9))  # pixels from frame to frame
+    film = [[{"t": k, "marks": [{"x": x * k, "y": y * k}] * 2} for k in range(9)] for x, y in leans]
+    axes = in_node(
+        'const { direction } = await import(source + "/film/along.js"); give(data.map(direction));',
+        film,
+    )
+    assert [axis["y"] > 0.5 for axis in axes] == [True, True, True, True, False]
+    assert axes[-1]["x"] > 0.5
+
+
 ROWS = [
     {"t": 0.0, "marks": [{"x": 10, "y": 5}, None]},
     {"t": 0.1, "marks": [None, None]},

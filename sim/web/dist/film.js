@@ -289,7 +289,8 @@
       }
     }
     const angle = 0.5 * Math.atan2(2 * xy, xx - yy);
-    return { x: Math.cos(angle), y: Math.sin(angle) };
+    const down = angle < -Math.PI / 4 ? -1 : 1;
+    return { x: down * Math.cos(angle), y: down * Math.sin(angle) };
   }
   function scaleOf({ ends: [a, b], length }) {
     return length / Math.hypot(b.x - a.x, b.y - a.y);

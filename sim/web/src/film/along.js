@@ -2,7 +2,8 @@
  * From places in the picture to readings along the track.
  *
  * The track's direction is the one in which the marks move most: the first principal axis of both marks'
- * motions, each about its own mean. It points to the right of the picture (downwards where the track stands).
+ * motions, each about its own mean. It points to the right of the picture, and downwards where the track is
+ * steeper than 45°: a film on its side, whose track would else point up or down by chance.
  * Lengths come from the ruler; what lies nearer to the camera than the ruler looks longer, and is no fault
  * that readings could show.
  */
@@ -27,7 +28,8 @@ export function direction(rows) {
     }
   }
   const angle = 0.5 * Math.atan2(2 * xy, xx - yy); // between −90° and 90°: to the right
-  return { x: Math.cos(angle), y: Math.sin(angle) };
+  const down = angle < -Math.PI / 4 ? -1 : 1;
+  return { x: down * Math.cos(angle), y: down * Math.sin(angle) };
 }
 
 /** @param {Ruler} ruler @returns {number} m for each pixel */
