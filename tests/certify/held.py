@@ -26,7 +26,7 @@ together, two ends at one instant."""
 
 
 HARD_WITHOUT_BOUND = {
-    *("collapse-below", "collapse-just-above", "zeno-on-a-slope"),
+    *("collapse-below", "zeno-on-a-slope"),
     *("triple-hit-paper", "triple-hit-bumper", "hertz-cradle-3", "hertz-cradle-4"),
     *("hertz-cradle-5", "quadratic-drag", "falling-in-air", "magnets-turning-point"),
     "magnets-at-any-time",
