@@ -23,7 +23,7 @@ from sim.bridge.method_choice import method_choice_of
 from sim.bridge.protocol import track_of
 from sim.dynamics.cost.exact import exact
 from sim.dynamics.cost.measure import choices, exact_rows, row
-from sim.dynamics.cost.report import digits_of, floor_of, row_object, speed_of
+from sim.dynamics.cost.report import digits_of, floor_of, row_object
 from sim.dynamics.loop.run import run
 from sim.dynamics.report.document import finite
 from sim.dynamics.result.finished import Run
@@ -75,7 +75,7 @@ def _row(scene: Scene, number: int) -> dict[str, Any]:
 
 def _digits(scene: Scene, rows: list[dict[str, Any]]) -> dict[str, Any]:
     truth = exact(scene)
-    return {"digits": digits_of(rows, speed_of(truth)), "floor": floor_of(truth)}
+    return {**digits_of(rows, truth), "floor": floor_of(truth)}
 
 
 def _run(scene: Scene, choice: MethodChoice) -> tuple[dict[str, Any], array[float]]:

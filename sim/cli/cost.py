@@ -27,6 +27,7 @@ from sim.scene import Scene
 MOST_CARTS = 10_000
 ENDLESS = "∞"  # an error beyond all numbers
 DRAWN = ("rows", "floor", "digits")  # of the document, in the figure
+DIGITS = {"digits": "", "digits_x": "of x (the carts end at rest) "}
 HEADER = ("method", "step", "order", "evaluations", "time", "Δv m/s", "Δx m", "ΔE/E", "e delivered")
 
 
@@ -85,8 +86,10 @@ def command(scene: str | None, as_json: bool, picture: Path | None, carts: str |
         click.echo("")
         if any(math.inf in (row.error_v, row.error_x, row.energy_error) for row in rows):
             click.echo(f"{ENDLESS}: the method blew up, its numbers grew beyond all bounds.")
-        if digits := document["digits"].items():
-            click.echo("One more digit costs: " + ", ".join(f"{m} × {by:.3g}" for m, by in digits))
+        for key, what in DIGITS.items():
+            if digits := document.get(key):
+                each = ", ".join(f"{method} × {by:.3g}" for method, by in digits.items())
+                click.echo(f"One more digit {what}costs: {each}")
         if truth.proved:
             click.echo("Errors are measured against a proof: carts run --certify.")
         elif rows[0].error_v is None:
@@ -161,6 +164,7 @@ def _cells(row: CostRow, until: float) -> tuple[str, ...]:
     if row.delivered is not None:
         low, high = row.delivered
         delivered = f"{low:.6g}" if high - low < 5e-7 else f"{low:.4g} to {high:.4g}"
+        delivered = delivered.replace("-", "−")
     return (
         row.method,
         _size(row, until),

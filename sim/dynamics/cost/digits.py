@@ -12,20 +12,20 @@ import math
 from collections.abc import Iterable
 
 NEAR, FAR = 1e-13, 0.3
-"""Of the scene's greatest speed: between them an error is one that a step decides about."""
+"""Of the scene's greatest speed, or way: between them an error is one that a step decides about."""
 
 Measured = tuple[str, float, float | None]
-"""Method, time as a ratio, error of v [m/s]."""
+"""Method, time as a ratio, error of v [m/s] or of x [m]."""
 
 
-def one_more_digit(rows: Iterable[Measured], speed: float) -> dict[str, float]:
-    """Times the time for ten times less error, by method; `speed`: the greatest of the scene, m/s.
+def one_more_digit(rows: Iterable[Measured], whole: float) -> dict[str, float]:
+    """Times the time for ten times less error, by method; `whole`: what NEAR and FAR are parts of.
 
     A method with fewer than two rows that count is left out, and one that does not get better.
     """
     by_method: dict[str, list[tuple[float, float]]] = {}
     for method, time, error in rows:
-        if error is not None and NEAR * speed < error < FAR * speed:
+        if error is not None and NEAR * whole < error < FAR * whole:
             by_method.setdefault(method, []).append((-math.log10(error), math.log10(time)))
     found = {method: _slope(points) for method, points in by_method.items() if len(points) > 1}
     return {method: 10.0**slope for method, slope in found.items() if 0.0 < slope < math.inf}

@@ -14,7 +14,9 @@ from fractions import Fraction
 
 from sim.dynamics.loop.run import run
 from sim.dynamics.motion.impact import outgoing
+from sim.dynamics.result.finished import REST, Run
 from sim.dynamics.result.ledger import kinetic
+from sim.dynamics.result.trajectory import trajectory
 from sim.laws.lookup import contact_law
 from sim.scene.model import Scene
 
@@ -35,6 +37,7 @@ class Exact:
     initial: float  # J
     closing: float  # m/s, the greatest approach speed at the start; 0 where nothing closes
     formula: bool  # one contact of two carts: `outcome` is the bare formula
+    solved: Run  # with its motion
     proved: bool = False  # x and v are the middles of a certificate, not of a run
 
     @property
@@ -43,6 +46,23 @@ class Exact:
         nought, and a push brings in what was not there. 1 where there is none."""
         return max(abs(self.initial), abs(self.energy)) or 1.0
 
+    @property
+    def fastest(self) -> float:
+        """m/s, the greatest speed of a cart at any time of the run; 1 where nothing moves."""
+        columns = trajectory(self.solved).columns.items()
+        return max(abs(v) for name, values in columns if name[0] == "v" for v in values) or 1.0
+
+    @property
+    def rests(self) -> bool:
+        """Does every cart stand still at the end?"""
+        return max(map(abs, self.v)) <= REST * self.fastest
+
+    @property
+    def way(self) -> float:
+        """m, how far a cart is at most from where it began; 1 where none has moved."""
+        begun = (cart.position for cart in self.solved.scene.carts)
+        return max(abs(x - first) for x, first in zip(self.x, begun, strict=True)) or 1.0
+
 
 def exact(scene: Scene) -> Exact:
     """Solve it once, and choose the cheapest way to do it again."""
@@ -50,18 +70,15 @@ def exact(scene: Scene) -> Exact:
     closing = max(0.0, *(-w for w in scene.approaches if math.isfinite(w)))
     books = solved.ledger
     if _one_contact(scene, dict(solved.record.counts)):
-        v = _rational(scene)
-        return Exact(
-            _formula(scene), solved.x, v, kinetic(scene, v), books.energy_initial, closing, True
-        )
+        v, energy = _rational(scene), books.energy_initial
+        return Exact(_formula(scene), solved.x, v, kinetic(scene, v), energy, closing, True, solved)
 
     def again() -> Outcome:
         done = run(scene, keep_events=False, keep_motion=False)
         return done.x, done.v
 
-    return Exact(
-        again, solved.x, solved.v, books.energy_final, books.energy_initial, closing, False
-    )
+    x, v, energy = solved.x, solved.v, books.energy_final
+    return Exact(again, x, v, energy, books.energy_initial, closing, False, solved)
 
 
 def _one_contact(scene: Scene, counts: dict[str, int]) -> bool:

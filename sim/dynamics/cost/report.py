@@ -34,20 +34,27 @@ def _size(of: CostRow | MethodChoice) -> dict[str, float | None]:
     return {"rtol": of.rtol} if of.rtol is not None else {"step": of.step}
 
 
-def speed_of(truth: Exact) -> float:
-    """The greatest speed that errors of the scene are measured beside, m/s."""
-    return max(truth.closing, *map(abs, truth.v)) or 1.0
-
-
 def floor_of(truth: Exact) -> float:
-    """m/s. Half a step of a double at the scene's greatest speed: rounding the truth errs by it."""
-    return 0.5 * math.ulp(speed_of(truth))
+    """m/s. Half a step of a double at the scene's greatest speed: rounding that speed errs by it.
+    A velocity that is less at the end is rounded more finely, and may err by less."""
+    return 0.5 * math.ulp(truth.fastest)
 
 
-def digits_of(rows: Iterable[dict[str, Any]], speed: float) -> dict[str, float]:
-    """What one more digit costs, by method, out of rows as `row_object` writes them."""
-    told = ((row["method"], row["time_ratio"], row["error_v"]) for row in rows)
-    return {method: float(f"{by:.3g}") for method, by in one_more_digit(told, speed).items()}
+def digits_of(rows: Iterable[dict[str, Any]], truth: Exact) -> dict[str, dict[str, float]]:
+    """What one more digit costs, by method, out of rows as `row_object` writes them.
+
+    `digits`: a digit of v. Where all carts end at rest every method gets v right that stops them,
+    with any step: there it has no method, and `digits_x` is a digit of x.
+    """
+    rows = list(rows)
+    if not truth.rests:
+        return {"digits": _slopes(rows, "error_v", truth.fastest)}
+    return {"digits": {}, "digits_x": _slopes(rows, "error_x", truth.way)}
+
+
+def _slopes(rows: Iterable[dict[str, Any]], error: str, whole: float) -> dict[str, float]:
+    told = ((row["method"], row["time_ratio"], row[error]) for row in rows)
+    return {method: float(f"{by:.3g}") for method, by in one_more_digit(told, whole).items()}
 
 
 def cost_report(
@@ -61,7 +68,7 @@ def cost_report(
         "scene": title,
         "proved": truth.proved,
         "floor": floor_of(truth),
-        "digits": digits_of(objects, speed_of(truth)),
+        **digits_of(objects, truth),
         "rows": objects,
         "not_run": [
             {"method": one.choice.method, **_size(one.choice), "reason": one.reason}

@@ -40,12 +40,12 @@ export function errorOf(row) {
   return row.error_v ?? (row.method === "exact" ? 0 : null);
 }
 
-/** An error of nought stands where doubles end: nothing is known to be better. @param {CostRow[]} rows @param {string} method @param {number} [floor] m/s @returns {Line} */
+/** An error of nought stands where doubles end: it has no logarithm. One below it stands where it is. @param {CostRow[]} rows @param {string} method @param {number} [floor] m/s @returns {Line} */
 export function lineOf(rows, method, floor = 0) {
   /** @type {[string, string][]} */
   const points = rows
     .filter((row) => row.method === method && errorOf(row) !== null)
-    .map((row) => [px(xAt(row.time_ratio)), px(yAt(Math.max(floor, Number(errorOf(row)))))]);
+    .map((row) => [px(xAt(row.time_ratio)), px(yAt(errorOf(row) || floor))]);
   return { line: points.map(([x, y], k) => `${k ? "L" : "M"}${x} ${y}`).join(""), points };
 }
 

@@ -41,7 +41,7 @@ def test_a_table_says_when_it_was_measured_as_a_template(file: Path) -> None:
     assert ("measured" in found) == (file.stem != "breaks")  # counted on a map, and not timed
     if "measured" in found:
         assert found["measured"]["code"] == WHEN
-        assert from_wire(found["measured"]).startswith("on 23 November 2026 with CPython")
+        assert re.match(r"on \d+ \w+ 2\d{3} with CPython", from_wire(found["measured"]))
 
 
 def test_a_method_that_cannot_follow_says_why_as_a_template(

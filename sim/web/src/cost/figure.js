@@ -48,6 +48,6 @@ export class CostFigure {
     put(this.ring, "visibility", row && error !== null ? "visible" : "hidden");
     if (!row || error === null) return;
     put(this.ring, "cx", px(xAt(row.time_ratio)));
-    put(this.ring, "cy", px(yAt(error)));
+    put(this.ring, "cy", px(yAt(error || this.floor || 0)));
   }
 }
