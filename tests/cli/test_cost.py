@@ -19,6 +19,7 @@ from sim.dynamics.cost.exact import exact
 from sim.dynamics.cost.report import digits_of, floor_of
 from sim.dynamics.loop.run import run
 from sim.dynamics.result.trajectory import sample
+from sim.pages.hard_cases import ALL
 from sim.pages.text.yaml.source import load
 from sim.scene import read_scene
 from tests import registry
@@ -152,6 +153,14 @@ def test_where_carts_end_at_rest_a_digit_is_one_of_the_place(
     told = CliRunner().invoke(main, ["cost", "-"], input=STOPS).stdout
     assert "One more digit of x (the carts end at rest) costs: verlet × " in told
     assert "One more digit costs" not in told
+
+
+def test_carts_that_only_turn_round_at_the_end_do_not_rest() -> None:
+    """Their v is nought there too, and what a method makes of it is of its order."""
+    (turning,) = (case for case in ALL if case.name == "spring-pair-quarter-period")
+    truth = exact(read_scene(turning.plain))
+    assert max(map(abs, truth.v)) < 1e-14 and not truth.rests
+    assert exact(read_scene(load(STOPS).plain)).rests
 
 
 def test_a_minus_is_the_same_in_every_column() -> None:

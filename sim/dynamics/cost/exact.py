@@ -14,7 +14,7 @@ from fractions import Fraction
 
 from sim.dynamics.loop.run import run
 from sim.dynamics.motion.impact import outgoing
-from sim.dynamics.result.finished import REST, Run
+from sim.dynamics.result.finished import Run
 from sim.dynamics.result.ledger import kinetic
 from sim.dynamics.result.trajectory import trajectory
 from sim.laws.lookup import contact_law
@@ -54,8 +54,8 @@ class Exact:
 
     @property
     def rests(self) -> bool:
-        """Does every cart stand still at the end?"""
-        return max(map(abs, self.v)) <= REST * self.fastest
+        """Does every cart stand still at the end, and stay so?"""
+        return self.solved.outcome.kind == "came-to-rest"
 
     @property
     def way(self) -> float:
