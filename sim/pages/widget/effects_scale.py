@@ -35,6 +35,13 @@ def greatest_force(
     return greatest
 
 
+def lasting_forces(header: Mapping[str, Any]) -> list[float]:
+    """N. The greatest of each effect as the scene starts: beside the push of a bumper they are
+    small, and what is told of a cart that only they move must show them."""
+    sizes = (_estimate(effect, header) for effect in header["effects"] if effect["active"])
+    return [size for size in sizes if size > 0.0]
+
+
 def kept_apart(header: Mapping[str, Any]) -> set[str]:
     """Pairs, such as A-B, that an effect keeps from ever touching."""
     return {

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sim.pages.widget.effects_scale import greatest_force, kept_apart
+from sim.pages.widget.effects_scale import greatest_force, kept_apart, lasting_forces
 from sim.pages.widget.elastic import elastic_force, wall_gives
 from sim.pages.widget.numbers import decimals_for, decimals_for_all, exponent, speed_unit
 from sim.pages.widget.reach import Reach, picture_window, reaches
@@ -69,13 +69,14 @@ def read_scales(
     velocity = full_scale(speed) if speed > 0 else 1.0
     force = full_scale(force) if force > 0 else 0.0
     per = speed_unit(velocity)[0]
+    lasting, heaviest = lasting_forces(header), max(b["mass"] for b in header["bodies"])
     decimals = {
         "t": min(6, max(3, decimals_for(header["until"]))),
         "x": min(6, max(3, decimals_for(velocity))),
         "v": decimals_for(velocity / per, 3 if per == 1 else 2),
-        "a": decimals_for((force or lightest) / lightest),
+        "a": decimals_for_all([(force or lightest) / lightest, *(f / heaviest for f in lasting)]),
         "F": decimals_for(force or 1.0),
-        "R": decimals_for(force or 1.0),
+        "R": decimals_for_all([force or 1.0, *lasting]),
         "p": decimals_for_all([velocity * b["mass"] for b in header["bodies"]]),
         "energy": decimals_for_all([velocity**2 * b["mass"] / 2 for b in header["bodies"]]),
     }

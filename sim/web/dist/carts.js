@@ -792,7 +792,7 @@
     return row.error_v ?? (row.method === "exact" ? 0 : null);
   }
   function lineOf(rows, method, floor = 0) {
-    const points = rows.filter((row) => row.method === method && errorOf(row) !== null).map((row) => [px(xAt(row.time_ratio)), px(yAt(Math.max(floor, Number(errorOf(row)))))]);
+    const points = rows.filter((row) => row.method === method && errorOf(row) !== null).map((row) => [px(xAt(row.time_ratio)), px(yAt(errorOf(row) || floor))]);
     return { line: points.map(([x2, y2], k) => `${k ? "L" : "M"}${x2} ${y2}`).join(""), points };
   }
   function levelAt(floor) {
@@ -835,7 +835,7 @@
       put(this.ring, "visibility", row && error !== null ? "visible" : "hidden");
       if (!row || error === null) return;
       put(this.ring, "cx", px(xAt(row.time_ratio)));
-      put(this.ring, "cy", px(yAt(error)));
+      put(this.ring, "cy", px(yAt(error || this.floor || 0)));
     }
   };
 

@@ -10435,7 +10435,7 @@
     return row2.error_v ?? (row2.method === "exact" ? 0 : null);
   }
   function lineOf(rows, method, floor = 0) {
-    const points = rows.filter((row2) => row2.method === method && errorOf(row2) !== null).map((row2) => [px(xAt(row2.time_ratio)), px(yAt(Math.max(floor, Number(errorOf(row2)))))]);
+    const points = rows.filter((row2) => row2.method === method && errorOf(row2) !== null).map((row2) => [px(xAt(row2.time_ratio)), px(yAt(errorOf(row2) || floor))]);
     return { line: points.map(([x, y], k) => `${k ? "L" : "M"}${x} ${y}`).join(""), points };
   }
   function levelAt(floor) {

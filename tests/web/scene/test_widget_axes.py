@@ -140,6 +140,17 @@ def test_the_only_wall_has_one_name_in_the_whole_widget() -> None:
     assert "right wall" not in text and "by wall" not in text
 
 
+def test_a_force_that_lasts_is_told_beside_the_push_of_a_bumper() -> None:
+    """0.09 N by slope and friction, 20 N in the contact: “0.0 N, 0.1 m/s²” denied the law."""
+    effects = [{"incline": {"angle": "1 deg"}}, {"friction": {"coefficient": 0.01}}]
+    fence, header, numbers = baked({**MEETING, "effects": effects})
+    decimals = read_scales(header, fence.controls, from_wire(header, numbers), 0.0).decimals
+    assert (decimals["R"], decimals["a"]) == (2, 2)
+    plain = baked(MEETING)[1]
+    without = read_scales(plain, fence.controls, None, 0.0).decimals
+    assert (without["R"], without["a"]) == (1, 1)
+
+
 def test_a_short_run_has_decimals_of_its_time_and_a_light_cart_of_its_momentum() -> None:
     """The greatest force came “at 0.001 s” of 0.002 s, and 0.0081 kg m/s were 0."""
     carts = {
