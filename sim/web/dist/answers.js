@@ -3402,6 +3402,34 @@
     };
   }
 
+  // src/shared/menu-key.js
+  function menuByKey() {
+    const box = document.getElementById("__drawer");
+    const button2 = document.querySelector("label.md-header__button[for=__drawer]");
+    const menu = document.querySelector("nav.md-nav--primary");
+    if (!box || !menu || !button2) return;
+    button2.tabIndex = 0;
+    button2.setAttribute("role", "button");
+    button2.setAttribute("aria-label", menu.getAttribute("aria-label") ?? "");
+    const tell = () => button2.setAttribute("aria-expanded", String(box.checked));
+    tell();
+    box.addEventListener("change", () => {
+      tell();
+      if (box.checked && button2.matches(":focus-visible"))
+        menu.querySelector("li a")?.focus();
+    });
+    button2.addEventListener("keydown", (event) => {
+      if (event.key !== " ") return;
+      event.preventDefault();
+      button2.click();
+    });
+    menu.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape" || !box.checked) return;
+      box.click();
+      button2.focus();
+    });
+  }
+
   // src/answers-main.js
   var book = new Book();
   customElements.define("carts-question", questionElement(book));
@@ -3412,5 +3440,6 @@
   emptyWhereUntouched(book);
   void book.ready.then(() => performance.mark("carts:answers"));
   teacherDoor();
+  menuByKey();
   document.documentElement.dataset.cartsAnswers = "";
 })();

@@ -8,6 +8,7 @@ import { emptyWhereUntouched } from "./answers/print.js";
 import { questionElement } from "./question/element.js";
 import { CartsAfter } from "./question/gate.js";
 import { quizElement } from "./question/quiz.js";
+import { menuByKey } from "./shared/menu-key.js";
 import { teacherDoor } from "./teach/door.js";
 
 const book = new Book();
@@ -19,4 +20,5 @@ new Bar(book, () => void panel.open());
 emptyWhereUntouched(book);
 void book.ready.then(() => performance.mark("carts:answers")); // what was kept is back
 teacherDoor();
+menuByKey();
 document.documentElement.dataset.cartsAnswers = ""; // the whole script has run: see watchdog.js

@@ -27,6 +27,31 @@ def test_nobody_tabs_through_a_menu_that_is_closed(site: Path, open_page: OpenPa
 
 
 @pytest.mark.one_browser
+def test_the_menu_of_a_narrow_window_is_opened_and_left_by_keyboard(
+    site: Path, open_page: OpenPage
+) -> None:
+    page = open_page(
+        site / "worksheets" / "newtons-first-law.html",
+        folder=site,
+        viewport={"width": 1024, "height": 600},
+    )
+    expect(page.locator(".carts-bar[data-ready]")).to_have_count(1)
+    button = page.get_by_role("button", name="Navigation")
+    for _ in range(4):  # skip to the text, then the head
+        page.keyboard.press("Tab")
+        if button.evaluate("(one) => one === document.activeElement"):
+            break
+    expect(button).to_be_focused()
+    for key in ("Enter", "Space"):
+        page.keyboard.press(key)
+        expect(button).to_have_attribute("aria-expanded", "true")
+        expect(page.locator("nav.md-nav--primary a:focus")).to_be_visible()
+        page.keyboard.press("Escape")
+        expect(button).to_have_attribute("aria-expanded", "false")
+        expect(button).to_be_focused()
+
+
+@pytest.mark.one_browser
 def test_the_part_that_was_pressed_is_the_one_that_is_marked(
     site: Path, open_page: OpenPage
 ) -> None:
