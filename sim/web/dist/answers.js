@@ -2948,7 +2948,7 @@
     if (!own) return tr("“{unit}” does not fit here: it is a number without a unit.", { unit });
     const close = (one) => one.replace(/\s/g, "");
     const told2 = [own, ...others].filter(
-      (one, place2, all) => one && !all.slice(0, place2).some((other) => close(other) === close(one))
+      (one, place2, all) => one && (one === own || !one.includes("⁻")) && !all.slice(0, place2).some((other) => close(other) === close(one))
     );
     return tr("“{unit}” does not fit here. Units: {units}", { unit, units: told2.join(", ") });
   }

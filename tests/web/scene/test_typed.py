@@ -185,7 +185,7 @@ def test_a_sign_that_stands_apart_and_wide_figures_are_read_alike_everywhere() -
 
 
 def test_what_is_no_unit_of_the_question_is_answered_with_what_to_type() -> None:
-    plain, momentum = {"": 1, "%": 0.01}, {"kg m/s": 1, "N s": 1, "Ns": 1, "kgm/s": 1}
+    plain, momentum = {"": 1, "%": 0.01}, {"kg m/s": 1, "N s": 1, "Ns": 1, "kgm/s": 1, "kgms⁻¹": 1}
     said = in_node(
         """const { readNumber } = await import(source + "/question/marking/typed-number.js");
         give(data.map(([typed, units]) => readNumber(typed, units).problem));""",

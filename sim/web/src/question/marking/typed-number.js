@@ -55,7 +55,10 @@ function unfit(unit, units) {
   if (!own) return tr("“{unit}” does not fit here: it is a number without a unit.", { unit });
   const close = (/** @type {string} */ one) => one.replace(/\s/g, "");
   const told = [own, ...others].filter(
-    (one, place, all) => one && !all.slice(0, place).some((other) => close(other) === close(one)),
+    (one, place, all) =>
+      one &&
+      (one === own || !one.includes("⁻")) &&
+      !all.slice(0, place).some((other) => close(other) === close(one)),
   );
   return tr("“{unit}” does not fit here. Units: {units}", { unit, units: told.join(", ") });
 }
