@@ -10,7 +10,7 @@ import { edge, NONE, ZERO } from "./palette.js";
 /** @typedef {import("./types.js").Grid} Grid */
 
 const FINE = 400; // pixels along the longer side, at least
-const TORN = 3; // bands from a point to the next, and times what it is on either side of them: a jump
+const TORN = 3; // bands from a point to the next, and times what it is on the calmer side of them: a jump
 
 /** @param {number} value @param {Scale} scale @returns {number} count where there is no value */
 function band(value, { low, step, count }) {
@@ -24,8 +24,8 @@ function band(value, { low, step, count }) {
  * @param {number} before @param {number} a @param {number} b @param {number} after @param {number} step
  */
 export function torn(before, a, b, after, step) {
-  const beside = Math.max(Math.abs(a - before) || 0, Math.abs(b - after) || 0, step);
-  return !(Math.abs(b - a) <= TORN * beside);
+  const beside = Math.min(Math.abs(a - before) || 0, Math.abs(b - after) || 0);
+  return !(Math.abs(b - a) <= TORN * Math.max(beside, step));
 }
 
 /**

@@ -2520,8 +2520,8 @@
     return Math.min(count2 - 1, Math.max(0, place4));
   }
   function torn(before, a2, b2, after, step) {
-    const beside2 = Math.max(Math.abs(a2 - before) || 0, Math.abs(b2 - after) || 0, step);
-    return !(Math.abs(b2 - a2) <= TORN2 * beside2);
+    const beside2 = Math.min(Math.abs(a2 - before) || 0, Math.abs(b2 - after) || 0);
+    return !(Math.abs(b2 - a2) <= TORN2 * Math.max(beside2, step));
   }
   function between(values, lines4, count2, factor, next, line3, step) {
     const fine = (count2 - 1) * factor + 1;

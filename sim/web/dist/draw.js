@@ -10946,8 +10946,8 @@ ${rows.map(row)}</tbody>
     return Math.min(count - 1, Math.max(0, place2));
   }
   function torn(before2, a, b, after2, step) {
-    const beside2 = Math.max(Math.abs(a - before2) || 0, Math.abs(b - after2) || 0, step);
-    return !(Math.abs(b - a) <= TORN * beside2);
+    const beside2 = Math.min(Math.abs(a - before2) || 0, Math.abs(b - after2) || 0);
+    return !(Math.abs(b - a) <= TORN * Math.max(beside2, step));
   }
   function between(values, lines3, count, factor, next, line2, step) {
     const fine = (count - 1) * factor + 1;

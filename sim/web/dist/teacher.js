@@ -1577,8 +1577,8 @@
     return Math.min(count2 - 1, Math.max(0, place4));
   }
   function torn(before, a, b, after, step) {
-    const beside = Math.max(Math.abs(a - before) || 0, Math.abs(b - after) || 0, step);
-    return !(Math.abs(b - a) <= TORN * beside);
+    const beside = Math.min(Math.abs(a - before) || 0, Math.abs(b - after) || 0);
+    return !(Math.abs(b - a) <= TORN * Math.max(beside, step));
   }
   function between(values, lines3, count2, factor, next, line, step) {
     const fine = (count2 - 1) * factor + 1;
