@@ -142,7 +142,7 @@ def _doubted(story: Story, made: Fit, rows: list[Compared], wanted: Wanted) -> F
     seen, _ = quantities_of_outcome(
         story.outcome, speeds, story.contact, story.step, names, beside=story.together
     )
-    return doubted(made, seen, told=form_told(effect, speeds.held_out))
+    return doubted(made, seen, told=speeds.even and form_told(effect, speeds.held_out))
 
 
 def _bounces(made: Fit) -> bool:

@@ -68,3 +68,15 @@ def test_carts_that_air_brakes_are_fitted_with_friction_and_the_interval_says_so
     asked = analysed(film(DRAGGED, 60.0, 5e-4, seed=1), Wanted(effect="friction")).report
     sure = next(row for row in asked["known"] if row["key"] == "e")
     assert sure["high"] - sure["low"] < 0.5 * (e["high"] - e["low"])  # the reader's own to judge
+
+
+@pytest.mark.parametrize(("drag", "even"), [("0 kg/s", True), ("0.05 kg/s", False)])
+def test_a_cart_that_is_braked_otherwise_when_it_is_faster_is_not_told_by_friction_alone(
+    drag: str, even: bool
+) -> None:
+    """Bearings and air together: what friction alone makes of them is 0.01 off, told to 0.006."""
+    effects = ({"friction": {"coefficient": "0.01"}}, {"drag": {"linear": drag}})
+    made = truth(ratio=0.6, e=0.8, v=(0.7, 0.0), after=2.0, effects=effects)
+    story = analysed(film(made, 60.0, 3e-4)).story
+    assert story.speeds is not None
+    assert story.speeds.even is even

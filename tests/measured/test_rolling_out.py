@@ -61,3 +61,13 @@ def test_a_cart_that_a_bounce_leaves_slow_rolls_out_before_it_rests(rate: float)
     known = {row["key"]: row for row in found.report["known"]}
     assert known["e"]["low"] < 0.7 < known["e"]["high"]
     assert known["e"]["high"] - known["e"]["low"] < 0.2
+
+
+@pytest.mark.parametrize("e", [0.59, 0.6, 0.61])
+def test_a_cart_that_stops_soon_after_the_contact_had_a_velocity(e: float) -> None:
+    """40 mm/s, for a fifth of a second: in one line with the rest behind it, it was 4 ± 6 mm/s."""
+    effects = ({"friction": {"coefficient": "0.02"}},)
+    made = truth(ratio=2.0, e=e, v=(0.6, 0.0), after=1.7, effects=effects)
+    known = {row["key"]: row for row in analysed(film(made, 120.0, 3e-4)).report["known"]}
+    assert known["v_a_after"]["high"] < -0.01
+    assert known["e"]["low"] < e < known["e"]["high"]

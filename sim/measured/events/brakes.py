@@ -21,9 +21,16 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 Step = Literal["nothing", "friction", "tilt", "drag", "both"]
+FEWEST = 6
+"""Readings of a side that tell how it is braked: twice what a parabola has numbers."""
+
 STEPS: tuple[Step, ...] = ("nothing", "friction", "tilt", "drag", "both")
 ROLLS = 4.0
 """Standard deviations of what bends its line: a cart that turns round is slow and does not rest."""
+
+ALIKE = 3.0
+"""Standard deviations up to which a cart is braked alike before and after: friction does so, and
+what goes with the speed does not."""
 
 HUBER = 1.5
 """Robust standard deviations beyond which a reading counts less."""
@@ -52,6 +59,29 @@ def steps_of(sides: Sequence[Side]) -> tuple[Step, ...]:
         if not bend**2 > ROLLS**2 * covariance[0, 0]:
             return tuple(step for step in STEPS if step != "tilt")
     return STEPS
+
+
+def braked_alike(sides: Sequence[Side]) -> bool:
+    """Whether no cart is braked otherwise before the contact than after it, for all that readings
+    tell: a parabola through each side."""
+    import numpy as np
+
+    slopes, brakes = slopes_of(sides), list[tuple[float, float]]()
+    for slope, (tau, x) in zip(slopes, sides, strict=True):
+        rests = abs(slope) < STILL * max(map(abs, slopes))
+        if rests or len(tau) < FEWEST:
+            brakes.append((0.0, math.inf))
+            continue
+        numbers = np.polyfit(tau, x, 2)
+        left = x - np.polyval(numbers, tau)
+        basis = np.linalg.inv(np.vander(tau, 3).T @ np.vander(tau, 3))
+        noise = float(left @ left) / (len(tau) - 3) * inflation([left])[1]
+        brakes.append((-2.0 * float(numbers[0]) * math.copysign(1.0, slope),
+                       4.0 * noise * float(basis[0, 0])))  # fmt: skip
+    return all(
+        (brakes[k][0] - brakes[k + 2][0]) ** 2 <= ALIKE**2 * (brakes[k][1] + brakes[k + 2][1])
+        for k in range(2)
+    )
 
 
 def design(sides: Sequence[Side], step: Step, slopes: Sequence[float]) -> Floats:

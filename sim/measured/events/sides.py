@@ -20,7 +20,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from sim.measured.events.brakes import STEPS, Side, Step, design, solved, steps_of
+from sim.measured.events.brakes import STEPS, Side, Step, braked_alike, design, solved, steps_of
 from sim.measured.events.contacts import Contact
 from sim.measured.events.nearer import nearer
 from sim.measured.events.rungs import (
@@ -33,6 +33,7 @@ from sim.measured.events.rungs import (
     rungs_of,
     scatter_of,
 )
+from sim.measured.events.stops import comes_to_rest
 from sim.measured.events.stretch import Segment
 from sim.measured.refusal import FitError, only
 from sim.measured.track import Track
@@ -91,6 +92,7 @@ class Speeds:
     rungs: tuple[Rung, ...]  # what each step changes, largest first
     scatter: float  # m, root mean square of the readings beside the step that is taken
     alike: float  # correlation of neighbouring residuals
+    even: bool = True  # each cart is braked alike before and after, as friction does
 
     @property
     def approach(self) -> float:
@@ -112,6 +114,8 @@ def sides_of(
             kept = (t >= low - INSTANT) & (t <= high + INSTANT)
             # A contact ends in the middle of a cell, which may be a reading: it is pushed still.
             kept &= t > contact.end + INSTANT if after else t < contact.begin - INSTANT
+            if after and (rest := comes_to_rest(t[kept], x[kept])) is not None:
+                kept &= t <= rest + INSTANT
             if int(kept.sum()) < FEWEST:
                 kept = nearer(t, x, kept, (contact.begin, contact.end), after=after)
             if int(kept.sum()) < FEWEST:
@@ -203,6 +207,7 @@ def speeds_of(sides: Sequence[Side]) -> Speeds:
         rungs=rungs_of(told, near, scatter := scatter_of(sides, best), chance),
         scatter=scatter,
         alike=alike,
+        even=braked_alike(sides),
     )
 
 

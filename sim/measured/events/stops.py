@@ -12,7 +12,12 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from sim.measured.events.stretch import Segment
+
+    Floats = NDArray[np.float64]
 
 SHORT = 0.3
 """s. An end stop or a hand that is put in the way brakes for less. A track needs as little only for
@@ -30,6 +35,37 @@ HARDER = 3.0
 MISSING = 0.1
 """Of the greatest speed: what the harder brake would have taken just before and did not. Of a piece
 too short to tell its deceleration it is less."""
+
+ENDS = 4
+"""Readings of the motion, and of the rest after it, that show them."""
+
+SURELY = 6.0
+"""Standard deviations by which a motion that ends is more than a straight line: a cart at rest may
+tremble, and its readings drift."""
+
+
+def comes_to_rest(t: Floats, x: Floats) -> float | None:
+    """s. When a slow cart that is left alone stands, where its readings show that it moved before:
+
+        x = x_rest + c (t_rest − t)²   until t_rest, and then x_rest.
+
+    None where a straight line does as well.
+    """
+    import numpy as np
+
+    n = len(t)
+    if n <= 2 * ENDS:
+        return None
+    ends = t[ENDS : n - ENDS, None]
+    bends = np.maximum(ends - t, 0.0) ** 2
+    bends -= bends.mean(axis=1, keepdims=True)
+    about = x - x.mean()
+    sizes = bends @ about / np.sum(bends**2, axis=1)
+    left = np.sum((about - sizes[:, None] * bends) ** 2, axis=1)
+    k = int(np.argmin(left))
+    noise = float(left[k] / (n - 3)) ** 0.5
+    line = float(np.sum((x - np.polyval(np.polyfit(t, x, 1), t)) ** 2))
+    return float(ends[k, 0]) if line - left[k] > (SURELY * noise) ** 2 else None
 
 
 def rolled_out(listed: Sequence[Segment], greatest: float, cell: float) -> list[Segment]:
