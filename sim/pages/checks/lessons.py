@@ -13,6 +13,7 @@ from sim.pages.checks.heading_ids import heading_ids
 from sim.pages.checks.hidden_forces import forces_nobody_finds
 from sim.pages.checks.large_numbers import large_numbers
 from sim.pages.checks.left_over import left_over
+from sim.pages.checks.markdown_slips import markdown_slips
 from sim.pages.checks.never_touch import forces_that_never_act
 from sim.pages.checks.preset_reach import presets_beyond_sliders
 from sim.pages.checks.relevance import relevance_hints
@@ -144,7 +145,7 @@ def check_paths(paths: Iterable[Path], root: Path, *, hints: bool = False) -> li
                 lesson = described(file, root)
                 own = check_lesson(text, lesson, ids, hints=hints)
                 own += withheld_findings(text, lesson.file)
-                own += left_over(text, lesson.file, own)
+                own += [*left_over(text, lesson.file, own), *markdown_slips(text, lesson.file)]
                 findings += own + _in_other_languages(file, root, ids, own, hints=hints)
                 findings += [*no_page(file, root), *no_text(text, lesson.file)]
             elif file.parent.name == BANK_FOLDER:

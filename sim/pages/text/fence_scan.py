@@ -66,6 +66,11 @@ class Block:
 
 def scan(lines: Sequence[str], *, front_matter: bool = True) -> Iterator[Block]:
     """Every block of ours, and those whose name comes close to one of ours."""
+    return (one for one in fenced(lines, front_matter=front_matter) if meant_kind(one.name))
+
+
+def fenced(lines: Sequence[str], *, front_matter: bool = True) -> Iterator[Block]:
+    """Every fenced block, whatever it is called."""
     index = after_front_matter(lines) if front_matter else 0
     while index < len(lines):
         opened = _OPEN.fullmatch(lines[index].rstrip("\r\n"))
@@ -74,8 +79,7 @@ def scan(lines: Sequence[str], *, front_matter: bool = True) -> Iterator[Block]:
             continue
         end, closed = _closing(lines, index, opened["fence"])
         name, _, rest = opened["info"].strip().partition(" ")
-        if meant_kind(name):
-            yield _block(lines, index, end, closed, opened, name, rest.strip())
+        yield _block(lines, index, end, closed, opened, name, rest.strip())
         index = end
 
 

@@ -16,6 +16,7 @@ from sim.pages.text.films import is_film
 from sim.pages.text.front_matter import Found, front_matter, language, stated_minutes
 from sim.pages.text.held_back import empty_boxes, misspelt, no_box, without_scene, without_text
 from sim.pages.text.links import PICTURE, links
+from sim.pages.text.nameless import nameless
 from sim.pages.text.plain_lines import lines_of, without_code
 from sim.pages.text.raw_html import never_shown
 
@@ -44,7 +45,7 @@ _CLOSES = {"\\(": "\\)", "\\[": "\\]", "$": "$", "$$": "$$"}
 def text_findings(text: str, lesson: Lesson) -> list[Finding]:
     """Everything that is wrong with the text of a lesson, apart from its blocks."""
     prose = without_code(text)
-    found = [*front_matter(text), *_few_backticks(prose)]
+    found = [*front_matter(text), *nameless(text), *_few_backticks(prose)]
     found += [*_pictures(prose), *_formulas(prose), *_minutes(text, prose), *language(text)]
     found += [*_headings(prose), *_formulas_in_rows(prose)]
     found += [*_minutes_of_questions(prose), *_held_back(prose, text), *never_shown(prose)]
