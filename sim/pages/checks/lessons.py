@@ -18,7 +18,8 @@ from sim.pages.checks.never_touch import forces_that_never_act
 from sim.pages.checks.preset_reach import presets_beyond_sliders
 from sim.pages.checks.relevance import relevance_hints
 from sim.pages.checks.steep import steep_slopes
-from sim.pages.checks.unbuilt import no_lesson, no_page, no_text
+from sim.pages.checks.titles_twice import title_twice
+from sim.pages.checks.unbuilt import makes_page, no_lesson, no_page, no_text
 from sim.pages.findings import AuthorError, Finding
 from sim.pages.question import PageItems, read_question_block, read_quiz_block
 from sim.pages.question.by_default import open_by_default, waits_by_default, watched_by_default
@@ -128,7 +129,7 @@ def check_scene(
 
 def check_paths(paths: Iterable[Path], root: Path, *, hints: bool = False) -> list[Finding]:
     """The findings in all lessons and scene files under `paths`; names are shown from `root`."""
-    ids = SiteIds()
+    ids, titles = SiteIds(), dict[str, str]()
     findings: list[Finding] = []
     for path in paths:
         for file in files_in(path):
@@ -143,10 +144,14 @@ def check_paths(paths: Iterable[Path], root: Path, *, hints: bool = False) -> li
                 continue
             if file.suffix in LESSON_SUFFIXES:
                 lesson = described(file, root)
-                own = check_lesson(text, lesson, ids, hints=hints)
+                built = makes_page(file, root)
+                used = ids if built else SiteIds()  # of others, no page has the ids
+                own = check_lesson(text, lesson, used, hints=hints)
                 own += withheld_findings(text, lesson.file)
                 own += [*left_over(text, lesson.file, own), *markdown_slips(text, lesson.file)]
-                findings += own + _in_other_languages(file, root, ids, own, hints=hints)
+                if built and file.is_relative_to(root / LESSONS):
+                    own += title_twice(text, lesson.file, titles)
+                findings += own + _in_other_languages(file, root, used, own, hints=hints)
                 findings += [*no_page(file, root), *no_text(text, lesson.file)]
             elif file.parent.name == BANK_FOLDER:
                 own = check_bank(text, name)

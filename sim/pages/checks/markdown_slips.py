@@ -34,7 +34,7 @@ _BEFORE = re.compile(r"[ \t]*(?:(?:[-*+]|\d+\.)[ \t]+)?")
 
 def markdown_slips(text: str, file: str) -> list[Finding]:
     """A warning for each, in the order of the lines."""
-    plain = _prose(text)
+    plain = running_text(text)
     lists = _FORMULA.sub(lambda one: re.sub(r"\S", "x", one[0]), plain)  # a minus begins no list
     found = [*list_slips(_pieces(lists)), *_pictures(plain)]
     found += [one for piece in _pieces(lists) for one in _tables(piece)]
@@ -46,7 +46,7 @@ def markdown_slips(text: str, file: str) -> list[Finding]:
     return made
 
 
-def _prose(text: str) -> str:
+def running_text(text: str) -> str:
     """The text without code, blocks, comments and the facts at its top, each place as it was."""
     lines = lines_of(without_code(text), keepends=True)
     gone = set(range(after_front_matter(lines)))

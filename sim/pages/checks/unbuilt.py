@@ -18,12 +18,17 @@ from sim.pages.translate.catalogues import FOLDER, catalogues_in
 
 def no_page(path: Path, root: Path) -> list[Finding]:
     """That the lesson at `path` lies too deep in the folder of lessons of the site at `root`."""
-    folder = root / LESSONS
-    if is_built(path, folder) or not path.is_relative_to(folder) or _tells_of_its_folder(path):
+    if makes_page(path, root) or _tells_of_its_folder(path):
         return []
     message = "no page is made of this lesson: it lies in a folder that is not built"
     hint = f"put it into {LESSONS}/, or into the folder of its language, such as {LESSONS}/ms/"
     return [Finding(shown(path, root), 1, 1, "not-built", message, hint, "warning")]
+
+
+def makes_page(path: Path, root: Path) -> bool:
+    """Whether the page at `path` joins the site at `root`, as all outside its lessons do."""
+    folder = root / LESSONS
+    return is_built(path, folder) or not path.is_relative_to(folder)
 
 
 def no_text(text: str, file: str) -> list[Finding]:

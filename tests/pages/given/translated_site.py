@@ -39,5 +39,7 @@ def write_words(
 
 
 def three(make_site: MakeSite, first: str = TEXT) -> Path:
-    second, third = (lesson(identity=name) for name in ("two", "three"))
+    second, third = (
+        lesson(identity=name).replace("A lesson", f"Lesson {name}") for name in ("two", "three")
+    )
     return make_site(first=first, second=second, third=third)
