@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
 
@@ -49,6 +49,10 @@ class Dimension:
     si: str
     example: str
     units: dict[str, Fraction]
+
+    def such_as(self, example: str) -> Dimension:
+        """The same with what is usual where a key has it."""
+        return replace(self, example=example)
 
     def factor(self, unit: str) -> Fraction | None:
         """How many SI units one `unit` is, however it is written; None: it measures another."""

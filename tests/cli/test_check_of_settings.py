@@ -40,6 +40,14 @@ MISTAKES = [
         "write worksheets/own.svg",
     ),
     ("extra_css: [own.css]\n", "1:13", "there is no file “own.css”", "worksheets/own.css"),
+    ("plugins:\n  - search\n  - cart\n", "3:5", "no plugin is called “cart”", "“carts”?"),
+    ("plugins: {serach: {}, carts: {}}\n", "1:11", "no plugin is called “serach”", "“search”?"),
+    ("site_name: a\nplugins:\n  - search\n", "2:1", "“carts” is not listed", "below it: - carts"),
+    ("site_name: a\nplugins:\n", "2:1", "“carts” is not listed", "below it: - carts"),
+    ("site_name: a\n", "2:1", "“carts” is not listed", "plugins: [search, carts]"),
+    ("nav:\n  - Lessons: worksheet/\n", "2:14", "names “worksheet/”", "mean “worksheets/”?"),
+    ("nav:\n  - Effects: physics/effect/\n", "2:14", "no such page", "“physics/effects/”?"),
+    ("nav:\n  - Lessons: all/\n", "2:14", "no such page", "- Lessons: worksheets/"),
     ("- site_name\n", "1:1", "no list of settings", "site_name: My lessons"),
 ]
 
@@ -74,6 +82,17 @@ def test_a_build_stops_at_such_a_mistake_in_the_same_words(site: Path, text: str
     assert "Traceback" not in result.output
 
 
+@pytest.mark.parametrize("plugins", ["[search, cart]", "[search]"])
+def test_a_build_without_our_plugin_stops_with_the_place(site: Path, plugins: str) -> None:
+    """MkDocs' own words for it have no line, or it would build pages without lessons."""
+    (site / "mkdocs.yml").write_text(f"site_name: a\nplugins: {plugins}\n", encoding="utf-8")
+    result = CliRunner().invoke(main, ["build"])
+    assert result.exit_code == 1
+    assert "mkdocs.yml:2:" in result.output
+    assert "“cart" in result.output
+    assert "Config value" not in result.output
+
+
 def test_what_other_plugins_and_extensions_are_told_is_theirs(site: Path) -> None:
     text = (
         "site_name: a\nplugins:\n  - search:\n      lang: de\n  - carts\n  - other: {any: 1}\n"
@@ -102,7 +121,7 @@ def test_a_menu_names_what_the_build_makes_and_what_is_elsewhere(site: Path) -> 
     (site / "worksheets" / "words" / "ms" / "carts.po").write_text("", encoding="utf-8")
     names = "index.md class-results.md worksheets/ worksheets/carts.md worksheets/ms/carts.md"
     menu = "".join(f"  - {name}\n" for name in [*names.split(), "https://example.org/", "/a.html"])
-    text = f"site_name: a\nnav:\n{menu}docs_dir: worksheets\n"
+    text = f"site_name: a\nnav:\n{menu}docs_dir: worksheets\nplugins: [carts]\n"
     (site / "mkdocs.yml").write_text(text, encoding="utf-8")
     result = CliRunner().invoke(main, ["check", "mkdocs.yml"])
     assert result.output == "no findings\n"  # and it is read as no scene
@@ -115,7 +134,7 @@ def test_a_logo_and_style_sheets_are_files_beside_lessons_of_the_theme_or_elsewh
     looks = "logo: worksheets/carts.md, favicon: assets/images/favicon.png"
     text = (
         f"site_name: a\ntheme: {{name: material, {looks}}}\ndocs_dir: worksheets\n"
-        "extra_css: [worksheets/own.css, https://example.org/a.css]\n"
+        "extra_css: [worksheets/own.css, https://example.org/a.css]\nplugins: [carts]\n"
     )
     (site / "mkdocs.yml").write_text(text, encoding="utf-8")
     result = CliRunner().invoke(main, ["check", "mkdocs.yml"])

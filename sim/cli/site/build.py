@@ -95,8 +95,6 @@ def build_site(
         elsewhere = {"site_dir": str(site_dir)} if site_dir else {}
         with messages_to_stderr():
             config: MkDocsConfig = load_config(str(root / "mkdocs.yml"), strict=strict, **elsewhere)
-            if "carts" not in config.plugins:
-                raise Abort("mkdocs.yml: error: the plugin “carts” is not listed under plugins:")
             plugin: Any = config.plugins["carts"]
             plugin.config.update({"hosted": hosted, **(settings or {})})
             with pages_on_terminal(config):

@@ -159,8 +159,6 @@ class Previewer:
         if wrong := site_folder.findings(self.root):  # in sentences with a line, as of a build
             raise click.ClickException("\n".join(map(str, wrong)))
         config = load_config(str(self.root / SETTINGS), site_dir=str(self.site))
-        if "carts" not in config.plugins:
-            raise click.ClickException("mkdocs.yml: error: “carts” is not listed under plugins:")
         if self.config is None:
             config.plugins.on_startup(command="serve", dirty=True)
         self.config = config

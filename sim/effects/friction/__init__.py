@@ -33,7 +33,7 @@ KIND = EffectKind(
     fields=(
         Field(
             "coefficient",
-            quantity.RATIO,
+            quantity.RATIO.such_as("0.02"),
             None,
             "coefficient of friction",
             least="0",
@@ -41,7 +41,7 @@ KIND = EffectKind(
         ),
         Field(
             "static",
-            quantity.RATIO,
+            quantity.RATIO.such_as("0.03"),
             None,
             "coefficient at rest; left out: the same",
             least="0",

@@ -40,7 +40,7 @@ KIND = EffectKind(
         ),
         Field(
             "power",
-            quantity.STRENGTH,
+            quantity.STRENGTH.such_as("3"),
             "3",
             "n",
             least="1",

@@ -34,11 +34,15 @@ KIND = EffectKind(
     place=40,
     fields=(
         Field(
-            "force", quantity.FORCE, None, "+ pushes to the right", label=said("force of the push")
+            "force",
+            quantity.FORCE.such_as("0.3 N"),
+            None,
+            "+ pushes to the right",
+            label=said("force of the push"),
         ),
         Field(
             "from",
-            quantity.TIME,
+            quantity.TIME.such_as("1 s"),
             "0",
             "the force begins",
             least="0",
@@ -46,7 +50,7 @@ KIND = EffectKind(
         ),
         Field(
             "until",
-            quantity.TIME,
+            quantity.TIME.such_as("2 s"),
             None,
             "the force ends; left out: at the end of the run",
             least="0",

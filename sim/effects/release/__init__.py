@@ -45,7 +45,7 @@ KIND = EffectKind(
         ),
         Field(
             "at",
-            quantity.TIME,
+            quantity.TIME.such_as("1 s"),
             "0",
             "time of the release",
             least="0",

@@ -27,6 +27,8 @@ MAKE_NO_PAGES = frozenset(
     {"carts", "search", "offline", "privacy", "info", "optimize", "social", "meta"}
 )
 """Plugins, the theme's own among them."""
+_FOLDERS = (f"{LESSONS}/", PLACE)
+"""Of which a menu shows all pages."""
 
 
 def named_in_vain(
@@ -47,8 +49,11 @@ def named_in_vain(
             continue
         told = f"the menu names “{node.value}”, and there is no such page"
         usual = "the name of a file, as in: - Home: index.md"
+        folder_meant = node.value.endswith("/")
+        if folder_meant:
+            usual = f"all lessons, as in: - Lessons: {LESSONS}/"
         beside = f"{LESSONS}/{node.value}"  # it was counted from the folder of lessons
-        meant = did_you_mean(node.value, pages.names(), usual)
+        meant = did_you_mean(node.value, _FOLDERS if folder_meant else pages.names(), usual)
         yield node, told, f"did you mean “{beside}”?" if beside in pages else meant
     for node in _files(settings):
         if not _outside(node.value) and not pages.has_file(node.value):
@@ -65,7 +70,7 @@ class _Pages:
         self.lessons_only = docs.resolve() == lessons.resolve()
 
     def __contains__(self, name: str) -> bool:
-        if name in (PLACE, f"{LESSONS}/") or name in effect_pages():
+        if name in _FOLDERS or name in effect_pages():
             return True
         if name.startswith(f"{LESSONS}/"):
             return self._is_lesson(name.partition("/")[2])
@@ -93,7 +98,11 @@ class _Pages:
             found = [HOME, CLASS_RESULTS]
         else:
             found = [path.relative_to(self.docs).as_posix() for path in self.docs.rglob("*.md")]
-        return [*found, *(f"{LESSONS}/{path.name}" for path in self.lessons.glob("*.md"))]
+        return [
+            *found,
+            *_FOLDERS,
+            *(f"{LESSONS}/{path.name}" for path in self.lessons.glob("*.md")),
+        ]
 
 
 @cache

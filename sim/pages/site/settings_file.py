@@ -6,7 +6,7 @@ is not ours to know (settings of other plugins) stays with it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -15,8 +15,9 @@ import yaml
 
 from sim.pages.findings import Finding, SiteError
 from sim.pages.site.menu_names import named_in_vain, theme_templates
+from sim.pages.site.plugin_names import CARTS, misnamed, plugin_names
 from sim.pages.site.site_id import check_site_id
-from sim.scene.problem import did_you_mean, nearest
+from sim.scene.problem import did_you_mean, meant, nearest
 
 SETTINGS = "mkdocs.yml"
 _LANGUAGES = Path("partials") / "languages"
@@ -45,6 +46,7 @@ def settings_findings(root: Path, own: Mapping[str, Any]) -> list[Finding]:
     parts = {key.value: value for key, value in tree.value if isinstance(key, yaml.ScalarNode)}
     found = [*_names(tree.value), *_theme(parts.get("theme"))]
     found += [*_plugins(parts.get("plugins"), own), *_facts(parts.get("extra"))]
+    found += _ours(tree, parts, found)
     found += [_at(node, "no-such-page", *told) for node, *told in named_in_vain(root, parts)]
     return sorted(found)
 
@@ -118,6 +120,25 @@ def _plugins(plugins: yaml.Node | None, own: Mapping[str, Any]) -> Iterator[Find
             if key.value not in own:
                 hint = did_you_mean(key.value, own, ", ".join(own))
                 yield _at(key, "unknown-key", f"“{key.value}” is no setting of carts", hint)
+
+
+def _ours(
+    tree: yaml.MappingNode, parts: Mapping[str, yaml.Node], found: Iterable[Finding]
+) -> Iterator[Finding]:
+    """Names of plugins that are misspelt, and that ours is not named. `found`: what is told."""
+    plugins = parts.get("plugins")
+    wrong = [*misnamed(plugins)]
+    for node, name in wrong:
+        yield _at(node, "unknown-plugin", f"no plugin is called “{node.value}”", meant(name))
+    named = {node.value for node in plugin_names(plugins)} | {name for _, name in wrong}
+    if CARTS in named or any(one.hint == meant("plugins") for one in found):
+        return
+    told = f"the plugin “{CARTS}” is not listed under plugins: no lesson would be built"
+    mark, hint = tree.end_mark, f"plugins: [search, {CARTS}]"
+    for key, _ in tree.value:
+        if key.value == "plugins":
+            mark, hint = key.start_mark, f"in a line of its own below it: - {CARTS}"
+    yield Finding(SETTINGS, mark.line + 1, mark.column + 1, "no-carts", told, hint)
 
 
 def _facts(extra: yaml.Node | None) -> Iterator[Finding]:
