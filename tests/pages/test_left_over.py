@@ -50,6 +50,53 @@ def test_quotes_inside_a_question_or_held_by_straight_ones_are_meant(ask: str) -
     assert left_over("options:\n  - {text: “I push.”, correct: true}\n", "a.md", ()) == []
 
 
+OPTIONS = """\
+```question
+id: which
+type: single
+ask: Which is faster?
+options:
+  - {text: ONE, correct: true}
+  - {text: TWO}
+```
+
+```scene
+id: look
+carts: {A: {mass: 1 kg, position: 0}}
+predict: {ask: Look, choice: [ONE, TWO]}
+```
+"""
+
+
+@pytest.mark.parametrize("quotes", ["“”", "„“", "‘’", "«»"])
+def test_quotes_of_a_word_processor_around_every_answer_are_told(
+    tmp_path: Path, quotes: str
+) -> None:
+    path = tmp_path / "a.md"
+    one, two = (f"{quotes[0]}{words}{quotes[1]}" for words in ("the heavy one", "neither"))
+    path.write_text("# A\n\n" + OPTIONS.replace("ONE", one).replace("TWO", two), encoding="utf-8")
+    found = check_paths([path], tmp_path)
+    assert [(f.line, f.col, f.severity) for f in found] == [(8, 12, "warning"), (15, 31, "warning")]
+    assert all("around every answer" in f.message for f in found)
+
+
+@pytest.mark.parametrize(
+    ("one", "two"),
+    [
+        ("“the heavy one”", "neither"),
+        ("“A pushes more.”", "“Both push alike!”"),
+        ("'“heavy”'", "'“light”'"),
+        ("heavy “A”", "light “B”"),
+    ],
+)
+def test_answers_that_are_sayings_or_hold_a_quoted_word_are_meant(
+    tmp_path: Path, one: str, two: str
+) -> None:
+    path = tmp_path / "a.md"
+    path.write_text("# A\n\n" + OPTIONS.replace("ONE", one).replace("TWO", two), encoding="utf-8")
+    assert check_paths([path], tmp_path) == []
+
+
 def test_a_line_with_a_mistake_is_told_once(tmp_path: Path) -> None:
     path = tmp_path / "a.md"
     path.write_text("# A\n\n" + QUESTION.format(ask="“Say: which?”"), encoding="utf-8")

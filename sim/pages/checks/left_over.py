@@ -15,9 +15,7 @@ PLACEHOLDERS = (
 )
 """Of the lesson with which `carts new` begins."""
 
-_KEYS = (
-    "ask|title|description|explain"  # what nobody says aloud: a text or a choice may be a saying
-)
+_KEYS = "ask|title|description|explain"  # what nobody says aloud; answers: see quoted_options
 _QUOTED = re.compile(
     rf"^(?P<key>[ \t]*(?:- +)*(?:{_KEYS}):[ \t]+|[^\"'\n]*[{{,][ \t]*(?:{_KEYS}):[ \t]+)"
     r"(?P<text>“[^“”\n]*”|„[^“”\n]*[“”]|‘[^‘’\n]*’|«[^«»\n]*»)[ \t]*(?:$|[,}])",

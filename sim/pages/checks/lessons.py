@@ -16,6 +16,7 @@ from sim.pages.checks.left_over import left_over
 from sim.pages.checks.markdown_slips import markdown_slips
 from sim.pages.checks.never_touch import forces_that_never_act
 from sim.pages.checks.preset_reach import presets_beyond_sliders
+from sim.pages.checks.quoted_options import quoted_options
 from sim.pages.checks.relevance import relevance_hints
 from sim.pages.checks.steep import steep_slopes
 from sim.pages.checks.titles_twice import title_twice
@@ -148,9 +149,10 @@ def check_paths(paths: Iterable[Path], root: Path, *, hints: bool = False) -> li
                 used = ids if built else SiteIds()  # of others, no page has the ids
                 own = check_lesson(text, lesson, used, hints=hints)
                 own += withheld_findings(text, lesson.file)
-                own += [*left_over(text, lesson.file, own), *markdown_slips(text, lesson.file)]
+                own += left_over(text, lesson.file, own)
+                own += [*markdown_slips(text, name), *quoted_options(text, name)]
                 if built and file.is_relative_to(root / LESSONS):
-                    own += title_twice(text, lesson.file, titles)
+                    own += title_twice(text, name, titles)
                 findings += own + _in_other_languages(file, root, used, own, hints=hints)
                 findings += [*no_page(file, root), *no_text(text, lesson.file)]
             elif file.parent.name == BANK_FOLDER:

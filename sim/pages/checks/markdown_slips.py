@@ -63,10 +63,10 @@ def _blank(text: str) -> str:
 def _pieces(text: str) -> Iterator[list[Line]]:
     """Lines that Markdown reads together: no empty line, heading, box or tag is between them. None
     where one of those but an empty line stands."""
-    at, lines = 0, []
-    for line in text.split("\n"):
-        lines.append(Line(at, line))
-        at += len(line) + 1
+    at, lines = 0, list[Line]()
+    for one in text.split("\n"):
+        lines.append(Line(at, one))
+        at += len(one) + 1
     for (together, _), some in groupby(
         enumerate(lines), lambda one: (bool(one[1].text.strip()), bool(_OWN.match(one[1].text)))
     ):
@@ -115,7 +115,7 @@ def _formulas(piece: Sequence[Line]) -> Iterator[Told]:
         begins = text.rfind("\n", 0, formula.start()) + 1
         ends = text.find("\n", formula.end()) + 1 or len(text) + 1
         last = ends > len(text)
-        alone = _BEFORE.fullmatch(text, begins, formula.start())
+        alone = _BEFORE.fullmatch(text, begins, formula.start()) is not None
         alone = alone and not text[formula.end() : ends].strip()
         item = begins in items and (last or ends in items)
         if alone and (item or (begins == 0 and last)):
