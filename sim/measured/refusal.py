@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -11,14 +12,22 @@ from sim.scene.said import Said, counted, said
 
 @dataclass(frozen=True, slots=True, order=True)
 class Fault:
-    """One mistake in a file, at `line` (counted from 1)."""
+    """One mistake in a file, at `line` (counted from 1). `cell`: what stands where it is."""
 
     line: int
     reason: str
     hint: str = ""
+    cell: str = ""
 
     def __str__(self) -> str:
         return f"line {self.line}: {self.reason}" + (f"\n  hint: {self.hint}" if self.hint else "")
+
+    def column(self, text: str) -> int:
+        """Where its cell begins in its line of `text`, in characters from 1; 1 without a cell."""
+        lines = re.split(r"\r\n|\r|\n", text.removeprefix("\ufeff"))
+        line = lines[self.line - 1] if self.cell and self.line <= len(lines) else ""
+        found = re.search(rf"(?<![^\s;,|\"]){re.escape(self.cell)}(?![^\s;,|\"])", line)
+        return found.start() + 1 if found else 1
 
 
 class ReadingError(ValueError):

@@ -38,7 +38,7 @@ def readings(files: tuple[str, ...], units: Units) -> Measured:
     try:
         measured = read_measured(texts, units)
     except ReadingError as error:
-        _refuse(files[error.source], error)
+        _refuse(files[error.source], error, texts[error.source])
     if units.run and not measured.runs:  # where there are several, their reader refuses it itself
         try:
             run_place(units.run, ["1"])
@@ -47,10 +47,12 @@ def readings(files: tuple[str, ...], units: Units) -> Measured:
     return measured
 
 
-def _refuse(name: str, error: ReadingError) -> NoReturn:
+def _refuse(name: str, error: ReadingError, text: str = "") -> NoReturn:
     for fault in error.faults:
         hint = f"\n  hint: {fault.hint}" if fault.hint else ""
-        click.echo(f"{name}:{fault.line}:1: error: {fault.reason}{hint}", err=True)
+        click.echo(
+            f"{name}:{fault.line}:{fault.column(text)}: error: {fault.reason}{hint}", err=True
+        )
     sys.exit(1)
 
 

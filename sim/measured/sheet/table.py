@@ -163,7 +163,7 @@ def _numbers(
             if fault and names and names[k]:
                 fault = _in_column(fault, names[k])
             if fault and (names is None or names[k]):
-                faults.append(fault)
+                faults.append(replace(fault, cell=cell))
                 break
             values.append(value)
         numbers.append(tuple(values))

@@ -164,13 +164,14 @@ class _Reader:
             hint = f"a file {', '.join(SUFFIXES)} beside the lesson or in its folder {FOLDER}/"
             self.refuse(("data",), "no-such-file", message, hint)
             return "", "", None
+        text = ""
         try:
             text = decoded(path.read_bytes())
             measured = read_measured([text], units)
         except ReadingError as error:
             self.findings += [
-                Finding(shown_here(path), fault.line, 1, "readings", fault.reason, fault.hint)
-                for fault in error.faults
+                Finding(shown_here(path), f.line, f.column(text), "readings", f.reason, f.hint)
+                for f in error.faults
             ]
             return "", "", None
         return path.name, text, measured
