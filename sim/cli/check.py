@@ -35,8 +35,9 @@ def command(
     tests/scenes are checked, of the site in or above the current folder. Exit code 1 means that a
     mistake was found, 2 that there is nothing to check.
     A warning stops nothing: an empty lesson, or one in a folder that is not built, a catalogue
-    whose lesson is not there, hidden forces that no reader can find, words of ours that you have
-    not replaced, a text in quotes of a word processor. A hint is no finding: an
+    whose lesson is not there, two lessons of one title, hidden forces that no reader can find,
+    words of ours that you have not replaced, a text in quotes of a word processor, a list, a table,
+    a picture or a formula that the page would print as it is typed. A hint is no finding: an
     effect that a scene lists in vain, or one that it misses much, a form whose last day is over.
     Nor is what is so by default: it is counted, and listed with --defaults.
 
