@@ -65,6 +65,14 @@ def test_the_head_of_a_page_fits_a_phone_whose_letters_are_twice_as_large(
     enlarge(page, 32)
     expect(page.locator("html")).to_have_css("font-size", "40px")
     assert page.evaluate("document.documentElement.scrollWidth") <= 361
+    enlarge(page, 24)
+    page.set_viewport_size({"width": 320, "height": 700})
+    frame, live = (
+        page.locator(part).first.bounding_box() for part in (".carts-frame", ".carts-mark")
+    )
+    assert frame
+    assert live
+    assert live["x"] + live["width"] < frame["x"] + frame["width"]  # it was cut off
 
 
 FINGER = 44  # px
