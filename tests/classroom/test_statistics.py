@@ -16,7 +16,7 @@ from sim.classroom.refusal import RefusalError
 from sim.classroom.statistics.adjusted import adjusted, pairs_of
 from sim.classroom.statistics.compare import cohen_d, cohen_d_within, paper_z, welch
 from sim.classroom.statistics.gain import hake_gain
-from sim.classroom.statistics.spread import Spread, spread
+from sim.classroom.statistics.spread import Spread, median, spread
 from tests.classroom.given.from_marks import paired_t, wilcoxon
 from tests.classroom.given.random_marks import RANDOM, same
 
@@ -26,6 +26,11 @@ def test_mean_and_deviation_are_those_of_the_standard_library() -> None:
         found = spread(before + after)
         assert same(found.mean, statistics.mean(before + after))
         assert same(found.sd, statistics.stdev(before + after))
+
+
+@pytest.mark.parametrize("marks", [[7], [1, 2], [3, 1, 2], [4, 0, 11, 5], [0, 0, 1, 1, 2, 9]])
+def test_the_median_of_an_even_class_is_midway_between_the_two_in_the_middle(marks) -> None:
+    assert median(marks) == statistics.median(marks)
 
 
 def test_the_order_of_the_files_changes_no_digit() -> None:

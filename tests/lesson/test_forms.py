@@ -65,6 +65,17 @@ def test_mistakes_in_a_form_are_named() -> None:
     assert problems({"use": "test-15", "close": {"word": "FALCON"}}) == ["unknown-key"]
 
 
+@pytest.mark.parametrize(
+    ("last", "found"), [("2027-03-01", []), ("2027-03-02", []), ("2027-02-28", ["out-of-range"])]
+)
+def test_a_form_may_be_open_for_one_day_and_not_for_less(last: str, found: list[str]) -> None:
+    dates = {"open": {"date": "2027-03-01"}, "close": {"date": last}}
+    if found:
+        assert problems({"use": "test-15", **dates}) == found
+    else:
+        read_form({**FORM, "use": "test-15", **dates}, OURS)
+
+
 def test_before_and_after_are_the_same_form_and_know_each_other_by_ids() -> None:
     pre, post = (
         read_form({**FORM, "form": form, "use": "test-15"}, OURS) for form in ("pre", "post")

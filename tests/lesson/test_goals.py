@@ -65,6 +65,8 @@ def test_what_is_no_goal_is_told_with_an_example(value: object, code: str) -> No
     [
         ("v.A = 0", {"restitution": 1}, True),  # equal masses exchange their velocities
         ("v.A = 0", {"restitution": 0.8}, False),
+        ("v.A = 0", {"restitution": 0.97}, True),  # 0.0075 m/s, and 2 % are 0.01 m/s
+        ("v.A = 0", {"restitution": 0.95}, False),
         ("v.A < v.B", {"restitution": 0.8}, True),
         ("p.B = 0.5 kg m/s", {"restitution": 1}, True),
         ("F.B = F.A", {"restitution": 0.6}, True),

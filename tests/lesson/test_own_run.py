@@ -41,6 +41,12 @@ def test_a_reading_is_what_the_run_says() -> None:
     assert found[2] == pytest.approx(v_a, rel=1e-6)
 
 
+def test_what_rounding_leaves_of_a_cart_that_stops_dead_is_nought_and_nothing_else_is() -> None:
+    script = """const { reading } = await import(source + "/question/marking/own-run.js");
+give(data.map((left) => reading({ t: [0, 1], v: { A: [0.6, left] } }, { A: 1 }, "v.A", "end")));"""
+    assert in_node(script, [1e-17, -5e-13, 1e-11, -0.1]) == [0, 0, 1e-11, -0.1]
+
+
 KEPT = """
 const listeners = {};
 const scene = { trajectory: null, querySelector: () => ({ textContent: data.baked }) };

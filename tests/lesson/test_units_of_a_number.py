@@ -174,3 +174,19 @@ def problems_of(question: dict[str, Any]) -> list[tuple[object, object, str]]:
     except LessonError as error:
         return [(p.path[-1], p.message, p.hint) for p in error.problems]
     return []
+
+
+@pytest.mark.parametrize(
+    ("value", "reached"), [("2.1 N", False), ("1.9 N", False), ("2.11 N", True), ("1.89 N", True)]
+)
+def test_a_known_wrong_answer_lies_beyond_the_edge_of_the_tolerance(
+    value: str, reached: bool
+) -> None:
+    """At the edge itself an answer is right: its feedback would never be shown."""
+    question = {**FORCE, "answer": "2 N", "tolerance": "0.1 N", "wrong": [{"value": value}]}
+    if reached:
+        assert read_question(question).KIND == "number"
+        return
+    with pytest.raises(LessonError) as caught:
+        read_question(question)
+    assert [problem.code for problem in caught.value.problems] == ["unreachable"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 
 import pytest
@@ -41,6 +42,28 @@ from sim.scene.quantity import QuantityError, read_quantity
 )
 def test_a_quantity_is_the_exact_number_its_text_names(text, dimension, value):
     assert read_quantity(text, dimension) == Fraction(value)
+
+
+INCH = Fraction("0.0254")
+SIZES = {
+    "kg": 1, "g": "1e-3", "mg": "1e-6", "t": 1000, "m": 1, "cm": "1e-2", "mm": "1e-3", "km": 1000,
+    "\u00b5m": "1e-6", "dm": "0.1", "in": INCH, "ft": 12 * INCH, "m/s": 1, "cm/s": "1e-2",
+    "mm/s": "1e-3", "km/h": Fraction(1000, 3600), "km/s": 1000, "s": 1, "ms": "1e-3",
+    "\u00b5s": "1e-6", "ns": "1e-9", "min": 60, "h": 3600, "N": 1, "mN": "1e-3", "kN": 1000,
+    "N/m": 1, "N/cm": 100, "N/mm": 1000, "kN/m": 1000, "N/m^1.5": 1, "N/m^(3/2)": 1, "m/s²": 1,
+    "N/kg": 1, "cm/s²": "1e-2", "mm/s²": "1e-3", "rad": 1, "deg": math.radians(1),
+    "°": math.radians(1), "J": 1, "mJ": "1e-3", "kJ": 1000, "kg/s": 1, "g/s": "1e-3", "N s/m": 1,
+    "N·s/m": 1, "kg/m": 1, "g/m": "1e-3", "%": "1e-2",
+}  # fmt: skip
+"""Every unit in SI, by hand."""
+
+
+def test_every_unit_is_as_large_as_it_is_in_si():
+    dimensions = [kind for kind in vars(quantity).values() if isinstance(kind, quantity.Dimension)]
+    units = {(unit, kind) for kind in range(len(dimensions)) for unit in dimensions[kind].units}
+    assert {unit for unit, _ in units} == set(SIZES)
+    for unit, kind in units:
+        assert read_quantity(f"2 {unit}", dimensions[kind]) == 2 * Fraction(SIZES[unit]), unit
 
 
 @pytest.mark.parametrize(
