@@ -13,6 +13,7 @@ from sim.cli.tables import table
 from sim.dynamics.report.document import finite, phase_object
 from sim.dynamics.report.plan import not_simulated, plan
 from sim.dynamics.result.outcome import UnsolvedError
+from sim.scene.said import capital
 
 if TYPE_CHECKING:
     from sim.scene import Scene
@@ -72,7 +73,7 @@ def _written(description: Scene, *, as_json: bool) -> None:
 def _relevance(name: str, description: Scene, *, as_json: bool) -> None:
     """The ladder: largest first, with the reading accuracy of a graph as the line."""
     from sim.dynamics.relevance.difference import READS
-    from sim.dynamics.relevance.ranking import capital, ranked_effects, rows
+    from sim.dynamics.relevance.ranking import ranked_effects, rows
 
     try:
         with still_computing():

@@ -9,6 +9,7 @@ import unicodedata
 from pathlib import Path
 
 from sim import __version__
+from sim.scene.said import capital
 from sim.scene.schema import scene_schema
 
 STARTER = Path(__file__).parent / "starter"
@@ -80,8 +81,7 @@ def files_of(text: str) -> list[str]:
 
 def title_of(name: str) -> str:
     """A title made from a name: two-trains becomes Two trains."""
-    words = re.sub(r"[-_]+", " ", name).strip()
-    return words[:1].upper() + words[1:]
+    return capital(re.sub(r"[-_]+", " ", name).strip())
 
 
 def site_id_of(name: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from sim.laws.stepping import Mode, begin_plain
+from sim.laws.stepping import Mode, TouchOrPart
 
 if TYPE_CHECKING:
     import numpy as np
@@ -13,11 +13,8 @@ if TYPE_CHECKING:
     Values = NDArray[np.float64]
 
 
-class DashpotForce:
+class DashpotForce(TouchOrPart):
     """N = k d + c v while d > 0; it may pull (`paper`), or not (`push-only`)."""
-
-    remembers = False
-    locks = False
 
     def __init__(self, k: float, c: float, *, pulls: bool) -> None:
         self.k, self.c, self.pulls = k, c, pulls
@@ -47,21 +44,9 @@ class DashpotForce:
         force = d + self.c / self.k * v
         return (max(-d, -force) if mode == "apart" else force,)
 
-    def after(self, mode: Mode, d: float, v: float, memory: float) -> tuple[Mode, float]:
-        """Touch or part."""
-        return ("press" if mode == "apart" else "apart"), 0.0
-
     def warming(self, push: float, d: float, v: float) -> float:
         """c v² in the damper."""
         return self.c * v * v if push else 0.0
-
-    def begin(self, d: float, v: float, memory: float) -> Mode:
-        """Pressed or apart."""
-        return begin_plain(self, d, v, memory)
-
-    def most(self, memory: float) -> float:
-        """It never stays pressed in."""
-        return 0.0
 
     def settle(self, held: float, push: float, memory: float, stored: float) -> tuple[float, float]:
         """Energy [J] still stored when the force has become 0 is lost, where it only pushes."""

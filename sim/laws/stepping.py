@@ -63,6 +63,34 @@ class SteppedContact(Protocol):
         """
 
 
+class TouchOrPart:
+    """Of the laws that know only apart and pressed: in contact while d > 0, and never locked."""
+
+    __slots__ = ()
+    remembers = False
+    locks = False
+
+    def holds(self, mode: Mode, d: float, v: float, memory: float) -> tuple[float, ...]:
+        """In contact while d > 0."""
+        return (-d if mode == "apart" else d,)
+
+    def after(self, mode: Mode, d: float, v: float, memory: float) -> tuple[Mode, float]:
+        """Touch or part."""
+        return ("press" if mode == "apart" else "apart"), 0.0
+
+    def begin(self: SteppedContact, d: float, v: float, memory: float) -> Mode:
+        """Pressed or apart."""
+        return begin_plain(self, d, v, memory)
+
+    def most(self, memory: float) -> float:
+        """It never stays pressed in."""
+        return 0.0
+
+    def settle(self, held: float, push: float, memory: float, stored: float) -> tuple[float, float]:
+        """Nothing is left beside what `warming` has counted."""
+        return 0.0, 0.0
+
+
 def begin_plain(force: SteppedContact, d: float, v: float, memory: float) -> Mode:
     """The mode of a state for a law that knows only apart and pressed."""
     if d > 0.0 or (d == 0.0 and v > 0.0):

@@ -15,7 +15,7 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
-from sim.laws.stepping import Mode, begin_plain
+from sim.laws.stepping import Mode, TouchOrPart
 from sim.mine.arguments import PLACES
 from sim.mine.instance import Instance, too_large
 from sim.mine.wrong import WrongLawError
@@ -56,7 +56,7 @@ class Apart:
 
 
 @dataclass(slots=True)
-class WrittenForce:
+class WrittenForce(TouchOrPart):
     """The force of one pair. `look` tells it of each instant before it is asked."""
 
     law: Instance
@@ -64,8 +64,6 @@ class WrittenForce:
     stiffness: float
     restitution: float
     right_first: bool = False
-    remembers: bool = field(default=False, init=False)
-    locks: bool = field(default=False, init=False)
     time: float = field(default=0.0, init=False)
     rows: list[list[Any]] = field(init=False)
     asked: tuple[int, ...] = field(init=False)
@@ -153,29 +151,9 @@ class WrittenForce:
         """A written law is asked one instant at a time."""
         raise NotImplementedError
 
-    def holds(self, mode: Mode, d: float, v: float, memory: float) -> tuple[float, ...]:
-        """In contact while d > 0."""
-        return (-d if mode == "apart" else d,)
-
-    def after(self, mode: Mode, d: float, v: float, memory: float) -> tuple[Mode, float]:
-        """Touch or part."""
-        return ("press" if mode == "apart" else "apart"), 0.0
-
-    def begin(self, d: float, v: float, memory: float) -> Mode:
-        """Pressed or apart."""
-        return begin_plain(self, d, v, memory)
-
     def warming(self, push: float, d: float, v: float) -> float:
         """W. All that the contact takes; what it gives back is taken from that again."""
         return push * v
-
-    def most(self, memory: float) -> float:
-        """It never stays pressed in."""
-        return 0.0
-
-    def settle(self, held: float, push: float, memory: float, stored: float) -> tuple[float, float]:
-        """Nothing is left beside what `warming` has counted."""
-        return 0.0, 0.0
 
 
 def side_of(name: str, mass: float | None) -> Side:

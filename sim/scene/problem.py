@@ -35,12 +35,16 @@ class Problem:
         return f"{self.where}: {self.message}{hint}"
 
 
-class SceneError(ValueError):
+class DescriptionError(ValueError):
     """A description that cannot be used. Carries every problem found, never none."""
 
     def __init__(self, problems: Iterable[Problem]) -> None:
         self.problems = first_causes(problems)
         super().__init__("\n".join(str(problem) for problem in self.problems))
+
+
+class SceneError(DescriptionError):
+    """Of a scene, or of a block of a page that is read as one."""
 
 
 def first_causes(problems: Iterable[Problem]) -> tuple[Problem, ...]:

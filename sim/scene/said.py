@@ -109,6 +109,11 @@ def joined(*sentences: str) -> str:
     return said("{first} {then}", first=joined(*found[:-1]), then=found[-1])
 
 
+def capital(text: str) -> str:
+    """The text with a capital in front, as a sentence or a title begins."""
+    return text[:1].upper() + text[1:]
+
+
 def reason_of(error: Exception) -> str:
     """What an error says, as it was said: `str()` would make plain English of it."""
     told = error.args[0] if error.args else ""

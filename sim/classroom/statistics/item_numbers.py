@@ -13,8 +13,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from sim.classroom.refusal import ENOUGH_FOR_ITEMS, RefusalError, at_least, numbers
-from sim.classroom.statistics.reliability import around
-from sim.classroom.statistics.spread import Exact, root
+from sim.classroom.statistics.spread import Exact, around, root
 from sim.scene.said import template
 
 OUTER = Fraction(27, 100)

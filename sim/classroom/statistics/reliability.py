@@ -15,13 +15,8 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from sim.classroom.refusal import FEWEST, RefusalError, at_least
-from sim.classroom.statistics.spread import Exact
+from sim.classroom.statistics.spread import Exact, around
 from sim.scene.said import counted
-
-
-def around(n: int, total: Exact, squares: Exact) -> Fraction:
-    """Sum of the squared deviations from the mean, from the sum and the sum of squares."""
-    return squares - Fraction(total) * total / n
 
 
 def alpha(n: int, items: Sequence[tuple[Exact, Exact]], totals: Mapping[Exact, int]) -> float:

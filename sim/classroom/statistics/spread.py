@@ -51,9 +51,13 @@ def spread(values: Sequence[float]) -> Spread:
 def spread_of(n: int, total: Exact, squares: Exact) -> Spread:
     """The same from how many numbers there are, their sum and the sum of their squares."""
     at_least(n, 1)
-    mean = Fraction(total) / n
-    around = squares - mean * total
-    return Spread(n, float(mean), root(around / (n - 1)) if n > 1 else 0.0)
+    sd = root(around(n, total, squares) / (n - 1)) if n > 1 else 0.0
+    return Spread(n, float(Fraction(total) / n), sd)
+
+
+def around(n: int, total: Exact, squares: Exact) -> Fraction:
+    """Sum of the squared deviations from the mean, from the sum and the sum of squares."""
+    return squares - Fraction(total) * total / n
 
 
 def median(values: Sequence[float]) -> float:

@@ -17,7 +17,7 @@ from sim.dynamics.relevance.difference import READS, Difference, Seen, differenc
 from sim.dynamics.result.finished import Run
 from sim.dynamics.result.outcome import UnsolvedError
 from sim.scene.model import Scene
-from sim.scene.said import said, wire
+from sim.scene.said import capital, said, wire
 
 MOST_EVENTS = 5_000
 """Of one run. A scene with more is compared up to there, which tells as much."""
@@ -138,11 +138,6 @@ def rows(ranked: Sequence[EffectChange], *, wired: bool = False) -> list[dict[st
         }
         for one in ranked
     ]
-
-
-def capital(text: str) -> str:
-    """A sentence begins with a capital."""
-    return text[:1].upper() + text[1:]
 
 
 def _changes(changes: Difference) -> dict[str, Any]:

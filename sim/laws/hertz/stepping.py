@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Protocol
 
-from sim.laws.stepping import Mode, begin_plain
+from sim.laws.stepping import Mode, TouchOrPart
 
 if TYPE_CHECKING:
     import numpy as np
@@ -30,11 +30,8 @@ class Curved(Protocol):
         """W."""
 
 
-class HertzForce:
+class HertzForce(TouchOrPart):
     """N = K d^(3/2) + C d^(1/4) v while d > 0."""
-
-    remembers = False
-    locks = False
 
     def __init__(self, law: Curved, mu: float) -> None:
         self.law, self.mu, self.damper = law, mu, law.damper(mu)
@@ -54,26 +51,6 @@ class HertzForce:
         """It is nought below d = 0 anyway: d^(3/2) has no value there."""
         return 0.0 if mode == "apart" else self.law.force(self.mu, d, v)
 
-    def holds(self, mode: Mode, d: float, v: float, memory: float) -> tuple[float, ...]:
-        """In contact while d > 0."""
-        return (-d if mode == "apart" else d,)
-
-    def after(self, mode: Mode, d: float, v: float, memory: float) -> tuple[Mode, float]:
-        """Touch or part."""
-        return ("press" if mode == "apart" else "apart"), 0.0
-
     def warming(self, push: float, d: float, v: float) -> float:
         """C d^(1/4) v²."""
         return self.law.dissipated(self.mu, d, v) if push else 0.0
-
-    def begin(self, d: float, v: float, memory: float) -> Mode:
-        """Pressed or apart."""
-        return begin_plain(self, d, v, memory)
-
-    def most(self, memory: float) -> float:
-        """It never stays pressed in."""
-        return 0.0
-
-    def settle(self, held: float, push: float, memory: float, stored: float) -> tuple[float, float]:
-        """Nothing is left."""
-        return 0.0, 0.0

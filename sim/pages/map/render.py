@@ -12,6 +12,7 @@ from sim.pages.map.bake import MapRun
 from sim.pages.templates import element
 from sim.scene.fence.controls import Control
 from sim.scene.fence.map import Map
+from sim.scene.said import capital
 
 FIRST_LETTER = ord("0")
 """Of the colours of a picture, as the script that paints it tells them."""
@@ -26,7 +27,7 @@ def render_map(
     """
     facts = _facts(described, written, run)
     values = [_known(value) for value in run.values]
-    title = described.title or sentence_case(told(described.show.label))
+    title = described.title or capital(told(described.show.label))
     shown = {"id": described.id, "title": title, "values": values, "why": told(run.why)}
     if not drawn:
         return element("map", described.id, "", {**facts, "draw": shown})
@@ -46,11 +47,6 @@ def _picture(run: MapRun, values: Sequence[float | None]) -> str:
     made = json.loads(draw("map-picture", grid))
     pixels = bytes(letter - FIRST_LETTER for letter in made["letters"].encode("latin-1"))
     return data_url(png(made["width"], pixels, made["palette"]))
-
-
-def sentence_case(text: str) -> str:
-    """With a capital in front; names keep theirs."""
-    return text[:1].upper() + text[1:]
 
 
 def nearest(values: Sequence[float], value: float) -> int:

@@ -7,8 +7,9 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from sim.dynamics.relevance.ranking import capital, ranked_effects
+from sim.dynamics.relevance.ranking import ranked_effects
 from sim.scene import read_fence, read_scene
+from sim.scene.said import capital
 from tests.web.conftest import OpenPage
 from tests.web.scene.given.counted_requests import COUNT, asked
 from tests.web.scene.given.widget_site import FENCES, LIVE, live, on_scene, widget_site
