@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
+from sim.dynamics.motion.lasting import Row
 from sim.dynamics.motion.power_series.step import Step
 from sim.dynamics.motion.work_accounting import book_step
 from sim.dynamics.state.body import Accounts, Body, End, Gap, GapRecord, PeakSoFar, kinds_of
@@ -20,7 +21,7 @@ from sim.laws.damped_oscillation import Rate
 
 
 @dataclass(slots=True)
-class CoupledGroup:
+class CoupledGroup(Row):
     """One step of a row of bodies from `begun`, for `duration` s.
 
     `bodies` include a wall at an end that is touched; gap k lies between bodies k and k + 1.
@@ -45,11 +46,6 @@ class CoupledGroup:
         """A nonlinear row converges for a short time only."""
         return self.step.short
 
-    @property
-    def gaps(self) -> tuple[int, ...]:
-        """The gaps of the chain that it moves."""
-        return tuple(gap.index for gap in self.members)
-
     def marks(self, end: float) -> list[float]:
         """One formula holds for the whole step; near a touch it may be steep."""
         return self.step.marks(end)
@@ -59,45 +55,31 @@ class CoupledGroup:
         cut = self.step.cut(elapsed(self.begun, now))
         return self if cut is self.step else replace(self, step=cut)
 
-    def time_left(self, now: Time) -> float:
-        """s to the end of the step."""
-        return self.duration - elapsed(self.begun, now)
-
-    def side(self, body: Body) -> float:
-        """The body's place in the row."""
-        return float(self._place(body))
-
-    def _place(self, body: Body) -> int:
-        for k, other in enumerate(self.bodies):
-            if other is body:
-                return k
-        raise ValueError(body)
-
     def state(self, side: float, tau: float) -> tuple[float, float, float]:
         """Displacement [m], v [m/s], a [m/s²] of the body at that place in the row."""
         return self.step.motion(int(side), tau)
 
     def shift(self, body: Body, start: Time, end: Time) -> float:
         """m. How far a body goes between two times within the step."""
-        i, step = self._place(body), self.step
+        i, step = self.place(body), self.step
         a, b = elapsed(self.begun, start), elapsed(self.begun, end)
         return step.displacement(i, b) - (step.displacement(i, a) if a != 0.0 else 0.0)
 
     def velocity(self, body: Body, now: Time) -> float:
         """m/s."""
-        return self.step.velocity(self._place(body), elapsed(self.begun, now))
+        return self.step.velocity(self.place(body), elapsed(self.begun, now))
 
     def excess(self, body: Body, start: Time, dt: float) -> float:
         """m. Displacement in dt s beyond that at the velocity of `start`."""
-        return self.step.excess(self._place(body), elapsed(self.begun, start), dt)
+        return self.step.excess(self.place(body), elapsed(self.begun, start), dt)
 
     def speeds(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
         """As `Motion.speeds`: least and greatest in the step."""
-        return self.step.speeds(self._place(body), self.duration)
+        return self.step.speeds(self.place(body), self.duration)
 
     def accelerations(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
         """As `Motion.accelerations`: m/s², least and greatest within the step."""
-        return self.step.accelerations(self._place(body), elapsed(self.begun, now), horizon)
+        return self.step.accelerations(self.place(body), elapsed(self.begun, now), horizon)
 
     def force(self, gap: int, tau: float) -> tuple[float, float]:
         """As `Motion.force`: N and dN/dt of a gap of the chain."""

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import ClassVar, Protocol, runtime_checkable
 
 from sim.dynamics.motion.impact import outgoing
+from sim.dynamics.motion.lasting import Pair
 from sim.dynamics.motion.safe_step import SLACK
 from sim.dynamics.state.body import Accounts, Body, End, Gap, GapRecord
 from sim.dynamics.state.clock import Time, elapsed
@@ -73,7 +74,7 @@ class HasCourse(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class CurvedPair:
+class CurvedPair(Pair):
     """A contact from `begun` for `duration` s."""
 
     bodies: list[Body]
@@ -105,14 +106,6 @@ class CurvedPair:
     def marks(self, end: float) -> list[float]:
         """Between which it can be drawn."""
         return self.course.marks(end)
-
-    def time_left(self, now: Time) -> float:
-        """s to the end of the contact."""
-        return self.duration - elapsed(self.begun, now)
-
-    def side(self, body: Body) -> float:
-        """Signed share in the overlap: +mu/m for the left body, −mu/m for the right one."""
-        return self.mu / body.mass if body is self.bodies[0] else -self.mu / body.mass
 
     def state(self, side: float, tau: float) -> tuple[float, float, float]:
         """Displacement [m], v [m/s], a [m/s²] of the body with that share."""

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import ClassVar
 
 from sim.dynamics.motion.courses import Course
+from sim.dynamics.motion.lasting import Lasting
 from sim.dynamics.state.body import Accounts, Body, End, Gap, GapRecord
 from sim.dynamics.state.clock import Time, elapsed
 from sim.dynamics.state.loads import Load
@@ -19,7 +20,7 @@ from sim.laws.damped_oscillation import Rate
 
 
 @dataclass(slots=True)
-class Flight:
+class Flight(Lasting):
     """A body on its course since `begun`."""
 
     body: Body
@@ -101,10 +102,6 @@ class Flight:
     def side(self, body: Body) -> float:
         """As `Motion.side`: it is alone."""
         return 0.0
-
-    def time_left(self, now: Time) -> float:
-        """s to where it halts; inf if never."""
-        return self.duration - elapsed(self.begun, now)
 
     def book(self, accounts: Accounts, t: float) -> None:
         """What drag took follows from the change of velocity and of kinetic energy."""

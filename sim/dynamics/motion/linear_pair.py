@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from sim.dynamics.motion.guards import GRAZES, PUSH_ROUNDING, branch_of, guards_of
+from sim.dynamics.motion.lasting import Pair
 from sim.dynamics.motion.oscillation import Oscillation, rate_of
 from sim.dynamics.motion.power_series.series import REACH, is_rounding
 from sim.dynamics.motion.power_series.step_ends import FINAL
@@ -31,7 +32,7 @@ from sim.laws.damped_oscillation import Rate
 
 
 @dataclass(slots=True)
-class LinearPair:
+class LinearPair(Pair):
     """One branch of a pair's motion from `begun`, for `duration` s."""
 
     bodies: list[Body]
@@ -62,14 +63,6 @@ class LinearPair:
     def marks(self, end: float) -> list[float]:
         """Every quarter swing."""
         return self.between.marks(end)
-
-    def time_left(self, now: Time) -> float:
-        """s to the end of the phase."""
-        return self.duration - elapsed(self.begun, now)
-
-    def side(self, body: Body) -> float:
-        """Signed share in the overlap: +mu/m for the left body, −mu/m for the right one."""
-        return self.mu / body.mass if body is self.bodies[0] else -self.mu / body.mass
 
     def state(self, side: float, tau: float) -> tuple[float, float, float]:
         """Displacement [m], v [m/s], a [m/s²] of the body with that share."""

@@ -19,6 +19,7 @@ import math
 from dataclasses import dataclass, field
 from typing import ClassVar
 
+from sim.dynamics.motion.lasting import Lasting
 from sim.dynamics.motion.safe_step import SLACK
 from sim.dynamics.state.body import Accounts, Body, End, Gap, GapRecord, PeakSoFar
 from sim.dynamics.state.clock import Time, elapsed
@@ -30,7 +31,7 @@ FAR = 1e300
 
 
 @dataclass(slots=True)
-class PairContact:
+class PairContact(Lasting):
     """A contact that began at `begun` with overlap d0 and approach speed u."""
 
     bodies: list[Body]
@@ -178,10 +179,6 @@ class PairContact:
     def marks(self, end: float) -> list[float]:
         """s after the start, where the formula changes."""
         return [swing.start for swing in self.stretches[1:]]
-
-    def time_left(self, now: Time) -> float:
-        """s to the end of the contact."""
-        return self.duration - elapsed(self.begun, now)
 
     @property
     def fading(self) -> tuple[Rate, ...]:

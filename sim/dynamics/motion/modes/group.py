@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import ClassVar
 
+from sim.dynamics.motion.lasting import Row
 from sim.dynamics.motion.modes.forces import contact_sums, others
 from sim.dynamics.motion.modes.guards import guarded
 from sim.dynamics.motion.modes.modal_sum import ModalSum, clear_until, maximum, plus
@@ -39,7 +40,7 @@ CLEAR = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
-class ModalGroup:
+class ModalGroup(Row):
     """A row of bodies from `begun`, for `duration` s; nothing happens in it."""
 
     bodies: list[Body]
@@ -62,11 +63,6 @@ class ModalGroup:
     short_steps: ClassVar[bool] = False
     fading: ClassVar[tuple[Rate, ...]] = ()
 
-    @property
-    def gaps(self) -> tuple[int, ...]:
-        """The gaps of the chain that it moves."""
-        return tuple(gap.index for gap in self.members)
-
     def marks(self, end: float) -> list[float]:
         """Every quarter swing of the fastest mode that has not faded."""
         speeds = self.sums.speed
@@ -87,17 +83,6 @@ class ModalGroup:
             found.append(t)
         return found
 
-    def time_left(self, now: Time) -> float:
-        """s to the end."""
-        return self.duration - elapsed(self.begun, now)
-
-    def side(self, body: Body) -> float:
-        """The body's place in the row."""
-        return float(self._place(body))
-
-    def _place(self, body: Body) -> int:
-        return next(k for k, other in enumerate(self.bodies) if other is body)
-
     def state(self, side: float, tau: float) -> tuple[float, float, float]:
         """Displacement [m], v [m/s], a [m/s²] of the body at that place in the row."""
         speed = self.sums.speed[int(side)]
@@ -105,31 +90,31 @@ class ModalGroup:
 
     def shift(self, body: Body, start: Time, end: Time) -> float:
         """m. How far a body goes between two times."""
-        speed = self.sums.speed[self._place(body)]
+        speed = self.sums.speed[self.place(body)]
         a, b = elapsed(self.begun, start), elapsed(self.begun, end)
         return speed.integral(b) - (speed.integral(a) if a != 0.0 else 0.0)
 
     def velocity(self, body: Body, now: Time) -> float:
         """m/s; the bits of the start are kept."""
         t = elapsed(self.begun, now)
-        return body.v if t == 0.0 else self.sums.speed[self._place(body)].value(t)
+        return body.v if t == 0.0 else self.sums.speed[self.place(body)].value(t)
 
     def excess(self, body: Body, start: Time, dt: float) -> float:
         """m. Displacement in dt s beyond that at the velocity of `start`."""
-        speed, a = self.sums.speed[self._place(body)], elapsed(self.begun, start)
+        speed, a = self.sums.speed[self.place(body)], elapsed(self.begun, start)
         before = speed.integral(a) if a != 0.0 else 0.0
         return speed.integral(a + dt) - before - speed.value(a) * dt
 
     def speeds(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
         """As `Motion.speeds`: least and greatest from now on."""
-        speed, t = self.sums.speed[self._place(body)], elapsed(self.begun, now)
+        speed, t = self.sums.speed[self.place(body)], elapsed(self.begun, now)
         ends = [speed.constant + speed.growth * one for one in (t, t + horizon)]
         reach = speed.bound(t, 0)
         return min(ends) - reach, max(ends) + reach
 
     def accelerations(self, body: Body, now: Time, horizon: float) -> tuple[float, float]:
         """As `Motion.accelerations`: m/s², least and greatest from now on."""
-        speed, t = self.sums.speed[self._place(body)], elapsed(self.begun, now)
+        speed, t = self.sums.speed[self.place(body)], elapsed(self.begun, now)
         return speed.growth - speed.bound(t, 1), speed.growth + speed.bound(t, 1)
 
     def force(self, gap: int, tau: float) -> tuple[float, float]:
