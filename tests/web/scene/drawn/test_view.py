@@ -225,3 +225,20 @@ def test_slow_motion_makes_a_contact_last_and_misses_none() -> None:
     for t, seconds in ends:
         assert t == 5
         assert seconds > 8  # both contacts are seen slowly whatever the speed
+
+
+@pytest.mark.parametrize(
+    ("reach", "mirrored", "shown"),
+    [
+        ([0, 10, 1, 100], False, [-2, 10]),
+        ([0, 10, 1, 100], True, [-10, 10]),  # forces with their signs: one of each pair below
+        ([0, 10, 2, 100], False, [-4, 10]),
+        ([-5, 10, 1, 2], False, [-5, 6]),  # no more than twice the run: else it gets small
+        ([0, 10, 1, 2], True, [-6, 6]),
+    ],
+)
+def test_an_axis_goes_as_far_as_sliders_may_take_the_run(
+    reach: list[float], mirrored: bool, shown: list[float]
+) -> None:
+    script = 'give((await import(view + "/graph.js")).reached([-2, 3], data[0], data[1]));'
+    assert in_node(script, [reach, mirrored]) == shown
