@@ -191,6 +191,8 @@ def test_the_page_opens_forms_by_their_rules() -> None:
         ({"done": "post"}, {**state, "handed": {"post": "2026-11-21T08:00:00Z"}}, 0),
         ({"done": "post", "days": 14}, {**state, "handed": {"post": "2026-11-10T08:00:00Z"}}, 1),
         ({"done": "post", "days": 14}, {**state, "handed": {"post": "2026-11-01T08:00:00Z"}}, 0),
+        ({"done": "post", "days": 14}, {**state, "handed": {"post": "2026-11-07T12:00:00Z"}}, 0),
+        ({"done": "post", "days": 14}, {**state, "handed": {"post": "2026-11-08T12:00:00Z"}}, 1),
         ({"done": "post", "word": word}, state, 2),
     ]
     script = """const { reasons, isOver, wordSum } = await import(source + "/question/opening.js");

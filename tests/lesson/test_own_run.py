@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from sim.bridge.protocol import answer
+from sim.lesson import read_question
 from tests.web.scene.given.widget_site import MEETING, in_node
 
 SCRIPT = """const { fromWire } = await import(source + "/../../view/trajectory.js");
@@ -82,3 +83,12 @@ def test_after_all_values_were_reset_a_reading_knows_none_of_them() -> None:
     found = in_node(KEPT, {"header": header, "numbers": list(numbers), "baked": baked})
     assert found["reset"]["set"] == {}
     assert found["reset"]["own"] == pytest.approx(0.5 * -0.12, rel=1e-6)  # kg m/s, not of 5 kg
+
+
+@pytest.mark.parametrize(
+    ("at", "meant"), [("2 s", 2.0), ("0 s", 0.0), ("-1 s", 0.0), ("end", "end")]
+)
+def test_a_moment_before_the_run_is_its_start(at: str, meant: float | str) -> None:
+    asked = {"id": "r", "type": "reading", "ask": "?", "scene": "meeting", "quantity": "v.A"}
+    facts = read_question({**asked, "at": at, "tolerance": "0.01 m/s"}).data(key=True)
+    assert facts["at"] == meant

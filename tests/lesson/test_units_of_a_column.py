@@ -1,4 +1,4 @@
-"""The head of a column names a unit only where all its numbers are in it."""
+"""The head of a column names a unit only where all its numbers are in it; a plot names columns."""
 
 from __future__ import annotations
 
@@ -38,3 +38,11 @@ def test_a_column_has_a_unit_where_all_its_cells_have_that_one(
     )
     assert isinstance(table, Table)
     assert (table.unit_of(0), table.unit_of(1)) == (unit, "s")
+
+
+@pytest.mark.parametrize("plot", [["push", "time"], ["time", "push"]])
+def test_a_plot_has_its_axes_in_the_order_in_which_it_names_the_columns(plot: list[str]) -> None:
+    columns = ["push", "what", "time"]
+    table: dict[str, Any] = {"id": "t", "type": "table", "ask": "?", "columns": columns}
+    facts = read_question({**table, "rows": [["0.1 N", "x", TIME]], "plot": plot}).data(key=True)
+    assert [columns[place - 1] for place in facts["plot"]] == plot

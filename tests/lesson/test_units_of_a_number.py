@@ -190,3 +190,11 @@ def test_a_known_wrong_answer_lies_beyond_the_edge_of_the_tolerance(
     with pytest.raises(LessonError) as caught:
         read_question(question)
     assert [problem.code for problem in caught.value.problems] == ["unreachable"]
+
+
+@pytest.mark.parametrize("tolerance", ["-0.01 N", "-5 %", "−0.2 N"])
+def test_a_negative_tolerance_is_refused_however_small_it_is(tolerance: str) -> None:
+    with pytest.raises(LessonError) as caught:
+        read_question({**FORCE, "answer": "2 N", "tolerance": tolerance})
+    (problem,) = caught.value.problems
+    assert (problem.path[-1], problem.code) == ("tolerance", "out-of-range")
