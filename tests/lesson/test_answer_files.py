@@ -205,6 +205,16 @@ def test_a_cell_is_never_a_formula_and_numbers_stay_numbers() -> None:
     assert in_node(script, CELLS) == [case["cell"] for case in CELLS]
 
 
+def test_each_sign_that_begins_a_formula_is_made_harmless_behind_each_mark_nobody_sees() -> None:
+    marks = ["", "\u200b", "\u200f", "\u202a", "\u202e", "\u2060", "\u2069", "\ufeff", "'"]
+    texts = [f"{mark}{sign}1" for mark in marks for sign in "=+-@|%＝＋－＠"]
+    script = (
+        'const { csvCell } = await import(source + "/answers/csv.js"); give(data.map(csvCell));'
+    )
+    found = list(map(csv_cell, texts))
+    assert found == [f'"\'{text}"' for text in texts] == in_node(script, texts)
+
+
 @given(st.text(max_size=20))
 def test_no_text_makes_a_cell_that_begins_like_a_formula(text: str) -> None:
     inside = csv_cell(text)[1:-1]

@@ -78,3 +78,14 @@ def test_one_incline_may_wait_beside_one_that_acts_and_take_its_place() -> None:
         down = 9.81 * (math.sin(angle) - 0.1 * math.cos(angle))
         assert run(read_scene(one)).a == pytest.approx([down, down], rel=1e-14)
     assert told(apply_changes(plain, {"effects.1.active": True})) == ["effects.1.incline"]
+
+
+def test_a_pair_may_be_named_from_either_side():
+    carts = {"A": {"mass": 1, "position": 0.5}, "B": {"mass": 1, "position": 1}}
+    plain = {"carts": carts, "track": {"length": 2, "right": "wall"}, "until": 1}
+    spring = {"stiffness": 5, "length": 0.4}
+    for pair in (("A", "B"), ("B", "right")):
+        for between in (pair, pair[::-1]):
+            effects = [{"spring": {"between": list(between), **spring}}]
+            (effect,) = read_scene({**plain, "effects": effects}).effects
+            assert effect.between == pair
