@@ -133,3 +133,12 @@ def test_marks_go_along_with_a_file_that_is_given_a_code_word(typed: list[str]) 
 def test_marks_of_somebody_else_stay_where_they_are() -> None:
     given = {"files": [["a.json", ""], ["o.json", "OWL"]], "marked": "OWL", "typed": ["owl", "fox"]}
     assert in_node(NAMED, given) == ["FOX", [["OWL", 2]]]
+
+
+@pytest.mark.parametrize(
+    ("typed", "good"),
+    [("ABC", False), ("ABCD", True), ("小", False), ("小明", True), ("AB+CDEF", False)],
+)
+def test_a_code_word_has_four_letters_or_two_signs_of_a_name(typed: str, good: bool) -> None:
+    script = 'give("code" in (await import(source + "/answers/codes.js")).readCode(data));'
+    assert in_node(script, typed) is good

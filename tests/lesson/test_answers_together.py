@@ -142,3 +142,11 @@ def test_one_size_is_too_large_before_and_after_a_file_is_read() -> None:
     fits, large, read = on_page(script)
     assert (fits, large) == ("", read)
     assert "too large" in read
+
+
+def test_a_reader_who_answers_a_hundred_times_keeps_each_of_the_answers() -> None:
+    script = """const { setAside } = await load("answers/entry.js");
+    const answers = [...Array(100).keys()].map((k) => ({ hash: "h", value: `${k}`, last: `${k}` }));
+    const kept = answers.reduce((old, one) => setAside({ ...one, earlier: old.earlier }), {});
+    give(kept.earlier.length);"""
+    assert on_page(script, None) == 100

@@ -10,6 +10,7 @@ import pytest
 from sim.pages.widget.effects_scale import greatest_force
 from sim.pages.widget.scale_of import read_scales
 from tests import registry
+from tests.web.scene.given.seen_run import seen
 from tests.web.scene.given.widget_site import baked, in_node
 
 MEET: dict[str, Any] = {
@@ -28,16 +29,6 @@ PUSH: dict[str, Any] = {
     "effects": [{"push": {"cart": "A", "force": 0.8, "until": 0.5}}],
     "until": 3,
 }
-READ = """const t = await import(view + "/trajectory.js");
-const run = { header: data.header, trajectory:
-  { ...t.fromWire(data.header, Float64Array.from(data.numbers)), events: data.header.events } };
-"""
-
-
-def seen(plain: dict[str, Any], script: str, **more: Any) -> Any:
-    """What a script of the view makes of the run of a scene."""
-    _, header, numbers = baked({"id": "one", **plain})
-    return in_node(READ + script, {"header": header, "numbers": numbers.tolist(), **more})
 
 
 def windows(plain: dict[str, Any]) -> list[dict[str, Any]]:

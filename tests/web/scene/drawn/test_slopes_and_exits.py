@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from tests import registry
-from tests.web.scene.drawn.test_forces_seen import seen
+from tests.web.scene.given.seen_run import seen
 
 SLOPES = """const { seriesOf } = await import(view + "/series.js");
 const rows = run.trajectory.t;
