@@ -10,6 +10,7 @@ from scipy import stats
 from sim.classroom.refusal import RefusalError
 from sim.classroom.statistics.adjusted import adjusted, pairs_of
 from sim.classroom.statistics.compare import cohen_d, paper_z, welch
+from sim.classroom.statistics.item_numbers import curve, levels_of
 from sim.classroom.statistics.spread import Spread
 from tests.classroom.given.from_marks import (
     corrected_point_biserial,
@@ -91,3 +92,8 @@ def test_small_classes_get_no_item_numbers() -> None:
         discrimination(marks, totals, 1)
     with pytest.raises(RefusalError, match="equally well"):
         corrected_point_biserial([1.0] * 25, [float(k) for k in range(25)])
+
+
+def test_the_curve_of_an_item_begins_with_the_weakest_quarter() -> None:
+    marks, totals = [0, 0, 0, 1, 1, 1, 1, 1], [1, 2, 3, 4, 5, 6, 7, 8]
+    assert curve(levels_of(marks, totals), 1, fewest=8) == [0.0, 0.5, 1.0, 1.0]
