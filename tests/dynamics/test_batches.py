@@ -226,3 +226,13 @@ def test_the_greatest_force_of_a_spring_is_where_it_turns_and_not_at_a_sample() 
     grid = solve(plain, (("spring.stiffness", stiff),), ("F", "A-B"))
     expected = [math.hypot(0.2 * k, 0.4 * (k / 3) ** 0.5) for k in stiff]
     assert run_points(plain, grid, ("F", "A-B"), 0) == pytest.approx(expected, rel=1e-6)
+
+
+def test_a_pair_that_nothing_pushes_has_no_force_beside_the_spring_of_another() -> None:
+    plain = {
+        "carts": {name: {"mass": 1, "position": k + 0.5} for k, name in enumerate("ABC")},
+        "track": {"length": 5}, "until": 0.1,
+        "effects": [{"spring": {"between": ["B", "C"], "stiffness": 10, "length": 0.3}}],
+    }  # fmt: skip
+    grid = solve(plain, (("spring.stiffness", (10.0, 20.0)),), ("F", "A-B"))
+    assert run_points(plain, grid, ("F", "A-B"), 0) == [0.0, 0.0]

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from sim.measured.analysis import analysed
+from sim.measured.events.stops import comes_to_rest
 from sim.measured.tracks import Measured
 from tests.measured.makers import film, truth
 
@@ -71,3 +73,9 @@ def test_a_cart_that_stops_soon_after_the_contact_had_a_velocity(e: float) -> No
     known = {row["key"]: row for row in analysed(film(made, 120.0, 3e-4)).report["known"]}
     assert known["v_a_after"]["high"] < -0.01
     assert known["e"]["low"] < e < known["e"]["high"]
+
+
+def test_readings_that_are_all_alike_are_a_rest() -> None:
+    t = np.arange(60) / 30.0
+    for x in (np.full(60, 0.5), np.full(60, 0.123), np.round(0.5 + 1e-4 * (t > 1), 3)):
+        assert comes_to_rest(t, x) is None

@@ -206,10 +206,11 @@ def test_a_curve_breaks_at_a_jump_and_beyond_its_axis() -> None:
             [0, 0.1, 0.2, 0.3, 0.4, 0.5],
             [0, 0.02, 0.04, 0.9, 0.92, 0.94],
             [0, 0.4, 0.8, 1.6, 0.8, 0.4],
+            [0.98, 0.3, 0.05, 0.02, 0.01, 0.0],
         ],
     )
-    assert [path.count("M") for path in paths] == [1, 2, 2]
-    assert [path.count("L") for path in paths] == [5, 4, 3]
+    assert [path.count("M") for path in paths] == [1, 2, 2, 1]
+    assert [path.count("L") for path in paths] == [5, 4, 3, 5]
 
 
 def test_a_map_over_one_number_is_a_curve() -> None:

@@ -12,7 +12,9 @@ from markdown import Markdown
 from sim.pages.checks.lessons import check_paths
 from sim.pages.checks.markdown_slips import markdown_slips
 from sim.pages.site.usual_settings import EXTENSIONS
+from tests.processor_time import budget
 
+BUSY = 2.0  # s of the processor; a text that long took a minute, and takes a hundredth of it
 TABLE = "| m | v |\n|---|---|\n| 1 | 2 |\n"
 SLIPS = [
     ("You need:\n- two carts\n- a track\n", "2:1", "an empty line above it"),
@@ -63,6 +65,16 @@ RIGHT = [
     "```text\nYou need:\n- a\n- b\n```\n",
     "so\n\n    in code:\n    - a\n    - b\n",
     "```question\nid: a\nask: |\n  Which:\n  - a\n  - b\n```\n",
+    "So \\[\na\n- b\n- c\n\\]\n",
+    "so $a\n- b\n- c$ is\n",
+    "T\n:   $$x = 3$$\n",
+    "T\n:   | m |\n    |---|\n    | 1 |\n",
+    "So[^1].\n\n[^1]:\n    - a\n    - b\n",
+    "<pre>\nYou need:\n- a\n- b\n</pre>\n",
+    "<div>\nYou need:\n- a\n- b\n</div>\n",
+    "|| a | b |\n|--|---|---|\n| 1 | 2 | 3 |\n",
+    "- a\n\n        - x\n",
+    "Really![^1] (see fig.png) and ![1] (p. 3 of a.pdf)\n",
     "---\ntags:\n  - a\n  - b\n---\n\n# A\n",
 ]  # fmt: skip
 
@@ -109,3 +121,14 @@ def test_a_list_that_would_not_be_inside_another_is_a_warning(text: str) -> None
 @pytest.mark.parametrize("text", RIGHT)
 def test_what_the_page_shows_as_it_was_meant_is_no_slip(text: str) -> None:
     assert markdown_slips(text, "a.md") == []
+
+
+HOSTILE = ["![a](b ", "![", "<!--", "|a", "| ", "- a\n1. b\n", "<div>", "$", "    so\n\n"]
+
+
+@pytest.mark.parametrize("part", HOSTILE)
+def test_no_text_keeps_the_check_busy(part: str) -> None:
+    """Some regular expressions took the square or the cube of a line's length."""
+    text = part * (20_000 // len(part))
+    with budget(BUSY):
+        markdown_slips(f"!!! note\n{text}x\n", "a.md")

@@ -51,3 +51,9 @@ def test_a_block_without_its_name_is_a_mistake(
 )
 def test_what_is_to_be_printed_is_no_block(text: str) -> None:
     assert check_lesson(text, Lesson("a.md"), SiteIds()) == []
+
+
+@pytest.mark.parametrize("name", ["{.yaml}", "{ .yaml .x }", "YAML", "js", "mermaid"])
+def test_code_of_another_language_is_printed_as_it_stands(tmp_path: Path, name: str) -> None:
+    (tmp_path / "a.md").write_text(f"# A\n\n```{name}\n{QUESTION}```\n", encoding="utf-8")
+    assert check_paths([tmp_path], tmp_path) == []

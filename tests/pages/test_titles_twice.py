@@ -47,6 +47,23 @@ def test_a_lesson_and_a_comment_in_its_block_are_not_of_one_title(tmp_path: Path
     assert _checked(tmp_path, a="# so\n", b=text) == []
 
 
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("---\ntitle: >\n  One\n---\n\n# A\n", "---\ntitle: >\n  Two\n---\n\n# B\n"),
+        ("# The file `a.yml`\n", "# The file `b.yml`\n"),
+        ("# C\n", "# C#\n"),
+    ],
+)
+def test_titles_that_differ_in_what_is_marked_are_two(tmp_path: Path, one: str, other: str) -> None:
+    assert not any("twice" in told for told in _checked(tmp_path, a=one, b=other))
+
+
+@pytest.mark.parametrize("second", ["# A #\n", "# A { #so }\n", '---\ntitle: "A"  \n---\n\n# B\n'])
+def test_marks_behind_a_title_are_none_of_it(tmp_path: Path, second: str) -> None:
+    assert any("twice" in told for told in _checked(tmp_path, a="# A\n", b=second))
+
+
 def test_a_copy_that_is_not_built_is_never_the_first_user_of_an_id(tmp_path: Path) -> None:
     found = _checked(tmp_path, own=f"# A\n\n{SCENE}", extra__e=f"# A\n\n{SCENE}")
     assert [one.partition(": ")[0] for one in found] == ["worksheets/extra/e.md:1:1"]

@@ -60,8 +60,8 @@ class Exact:
     @property
     def way(self) -> float:
         """m, how far a cart is at most from where it began; 1 where none has moved."""
-        begun = (cart.position for cart in self.solved.scene.carts)
-        return max(abs(x - first) for x, first in zip(self.x, begun, strict=True)) or 1.0
+        columns = trajectory(self.solved).columns.items()
+        return max(abs(x - at[0]) for name, at in columns if name[0] == "x" for x in at) or 1.0
 
 
 def exact(scene: Scene) -> Exact:

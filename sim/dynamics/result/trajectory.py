@@ -46,8 +46,11 @@ class Trajectory:
         return len(self.columns[("t",)])
 
     def greatest(self, pair: str) -> float:
-        """N. The greatest size of the force between a pair, also where it turns between rows."""
-        t, F, dF = (self.columns.get(name, ()) for name in (("t",), ("F", pair), ("dF", pair)))
+        """N. The greatest size of the force between a pair, also where it turns between rows; 0 of
+        a pair that nothing pushes."""
+        if ("F", pair) not in self.columns:
+            return 0.0
+        t, F, dF = (self.columns[name] for name in (("t",), ("F", pair), ("dF", pair)))
         most = max(map(abs, F), default=0.0)
         for (begin, end), (low, high), (rises, falls) in zip(
             *map(pairwise, (t, F, dF)), strict=True

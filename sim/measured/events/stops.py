@@ -11,6 +11,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from sim.measured.rounding import EVEN, step_of
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
@@ -43,6 +45,9 @@ SURELY = 6.0
 """Standard deviations by which a motion that ends is more than a straight line: a cart at rest may
 tremble, and its readings drift."""
 
+NONE = 1e-9
+"""m. Less is the rounding of sums: readings at rest may be all alike."""
+
 
 def comes_to_rest(t: Floats, x: Floats) -> float | None:
     """s. When a slow cart that is left alone stands, where its readings show that it moved before:
@@ -63,7 +68,7 @@ def comes_to_rest(t: Floats, x: Floats) -> float | None:
     sizes = bends @ about / np.sum(bends**2, axis=1)
     left = np.sum((about - sizes[:, None] * bends) ** 2, axis=1)
     k = int(np.argmin(left))
-    noise = float(left[k] / (n - 3)) ** 0.5
+    noise = max(float(left[k] / (n - 3)) ** 0.5, EVEN * step_of(x), NONE)
     line = float(np.sum((x - np.polyval(np.polyfit(t, x, 1), t)) ** 2))
     return float(ends[k, 0]) if line - left[k] > (SURELY * noise) ** 2 else None
 

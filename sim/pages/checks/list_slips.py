@@ -9,6 +9,7 @@ from itertools import islice
 
 _ITEM = re.compile(r"[ \t]*(?:[-*+]|(?P<number>\d{1,3})\.)[ \t]+\S")
 _LEVEL = 4  # spaces for each list inside another
+_LONGEST = 200  # items that somebody writes
 _PRINTED = "this list would be printed as running text"
 Told = tuple[int, str, str, str]  # place in the text, code, message, hint
 
@@ -63,11 +64,11 @@ def list_slips(pieces: Iterator[list[Line]]) -> Iterator[Told]:
 def _inside(piece: Sequence[Line], items: Sequence[Line], last: Line | None) -> Iterator[Told]:
     """Items of a list that were meant to be inside another one. `last`: item above this piece."""
     above = last
-    for k, item in enumerate(items):
+    for k, item in enumerate(items[:_LONGEST]):
         if above:
             beside = item.level == above.level and item.indent >= above.indent + 2
             hint = f"begin each of its lines with {_LEVEL * (above.level + 1)} spaces"
-            if item.level > above.level + 1:
+            if item.level > above.level + 1 and above is not last:  # else it is code
                 yield item.start, "no-list", _PRINTED, hint
             elif beside and (item.is_like(above) or above is last):
                 told = "this list would stand beside the line above, not inside it"

@@ -20,14 +20,25 @@ Told = tuple[int, str, str, str]  # place in the text, code, message, hint
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _OWN = re.compile(  # a line of its own kind, with which nothing above it goes on
     r"[ \t]*(?:#{1,6}[ \t]|!!!|\?\?\?|<[a-zA-Z/!]|>|(?:-{2,}|={2,}|\*{3,}|_{3,})[ \t]*$)"
+    r"|:[ \t]|\[\^[^\]\n]{1,60}\]:"
+)
+_DEFINED = re.compile(r":[ \t]|\[\^")  # a definition, a note: what is below it begins within it
+_RAW = re.compile(
+    r"<(pre|script|style|textarea|table|div)\b(?![^>]*\bmarkdown\b)[^>]*>.*?</\1>",
+    re.DOTALL | re.IGNORECASE,
 )
 _HOLDS = re.compile(r"[ \t]*(?:[-*+][ \t]|\d+\.[ \t]|!!!|\?\?\?|:[ \t]|\[\^)")
 _CODE = 4  # spaces
-_ROW = re.compile(r"[ \t]*\|.*\S.*\|[ \t]*")
-_UNDER = re.compile(r"[ \t]*(?:\|[ \t]*)?:?-+:?[ \t]*(?:\|[ \t]*:?-+:?[ \t]*)*\|?[ \t]*")
+_FARTHEST = 400  # lines above one, in which that stands that holds it
+_UNDER = re.compile(r":?-+:?")
 _CELL_ENDS = re.compile(r"(?<!\\)\|")
-_APART = re.compile(r"(!\[[^\]\n]{0,60}\])[ \t]+(\([^()\n]{0,60}\.\w+[^()\n]{0,40}\))")
-_NOT_CLOSED = re.compile(r"!\[[^\]\n]*\]\([^)\s]+(?=(?:[ \t][^)]*?)?(?:\n[ \t]*\n|\n?\Z))")
+_APART = re.compile(r"(!\[[^\W\d][^\]\n]{0,60}\])[ \t]+(\([^()\s]{1,60}\.\w{1,9}\))")
+_NOT_CLOSED = re.compile(
+    r"!\[[^\]\n]{0,200}\]\([^)\s]{1,200}(?=(?:[ \t][^)]{0,200}?)?(?:\n[ \t]*\n|\n?\Z))"
+)
+_OTHER_FORMULA = re.compile(
+    r"(?<!\\)\\\[.{1,999}?\\\]|(?<![\\$])\$(?![$\s])(?:[^$\n]|\n(?!\n)){1,400}?\$", re.DOTALL
+)
 _FORMULA = re.compile(r"(?<!\\)\$\$(?:[^$\\]|\\.)+\$\$", re.DOTALL)
 _BEFORE = re.compile(r"[ \t]*(?:(?:[-*+]|\d+\.)[ \t]+)?")
 
@@ -35,7 +46,9 @@ _BEFORE = re.compile(r"[ \t]*(?:(?:[-*+]|\d+\.)[ \t]+)?")
 def markdown_slips(text: str, file: str) -> list[Finding]:
     """A warning for each, in the order of the lines."""
     plain = running_text(text)
-    lists = _FORMULA.sub(lambda one: re.sub(r"\S", "x", one[0]), plain)  # a minus begins no list
+    lists = plain
+    for formula in (_FORMULA, _OTHER_FORMULA):  # a minus begins no list
+        lists = formula.sub(lambda one: re.sub(r"\S", "x", one[0]), lists)
     found = [*list_slips(_pieces(lists)), *_pictures(plain)]
     found += [one for piece in _pieces(lists) for one in _tables(piece)]
     found += [one for piece in _pieces(plain) for one in _formulas(piece)]
@@ -53,7 +66,10 @@ def running_text(text: str) -> str:
     for block in scan(lines):
         gone.update(range(block.start, block.end))
     kept = "".join(_blank(line) if k in gone else line for k, line in enumerate(lines))
-    return _COMMENT.sub(lambda comment: _blank(comment[0]), kept)
+    for ends, part in (("-->", _COMMENT), ("</", _RAW)):
+        if ends in kept:
+            kept = part.sub(lambda gone: _blank(gone[0]), kept)
+    return kept
 
 
 def _blank(text: str) -> str:
@@ -72,7 +88,8 @@ def _pieces(text: str) -> Iterator[list[Line]]:
     ):
         (first, line), *more = some
         if together:
-            own = _OWN.match(line.text) or _is_code(lines, first)
+            defined = line.indent >= _CODE and _DEFINED.match(lines[first - 1].text)
+            own = defined or _OWN.match(line.text) or _is_code(lines, first)
             yield [] if own else [line, *(one for _, one in more)]
 
 
@@ -81,7 +98,7 @@ def _is_code(lines: Sequence[Line], at: int) -> bool:
     room = lines[at].indent
     if room < _CODE:
         return False
-    for line in reversed(lines[:at]):
+    for line in reversed(lines[max(0, at - _FARTHEST) : at]):
         if line.text.strip() and line.indent < room:
             return not _HOLDS.match(line.text)
     return True
@@ -91,9 +108,9 @@ def _tables(piece: Sequence[Line]) -> Iterator[Told]:
     """Rows that make no table."""
     told = "this table would be printed with its bars"
     under = "below its first line write |---|---|, with a part for each of its columns"
-    rows = [k for k, one in enumerate(piece) if _ROW.fullmatch(one.text)]
+    rows = [k for k, one in enumerate(piece) if _is_row(one.text.strip())]
     for k, one in enumerate(piece):
-        if "|" in one.text and _UNDER.fullmatch(one.text) and k and "|" in piece[k - 1].text:
+        if k and "|" in one.text and "|" in piece[k - 1].text and _is_under(one.text):
             if _cells(piece[k - 1].text) != _cells(one.text):
                 yield piece[k - 1].start, "no-table", told, under
             elif k > 1:
@@ -103,8 +120,21 @@ def _tables(piece: Sequence[Line]) -> Iterator[Told]:
         yield piece[rows[0]].start, "no-table", told, under
 
 
+def _is_row(row: str) -> bool:
+    return row[:1] == row[-1:] == "|" and bool(row.strip("|").strip())
+
+
+def _is_under(row: str) -> bool:
+    """Whether it is the line below the heads of a table."""
+    return all(_UNDER.fullmatch(cell.strip()) for cell in _inside(row).split("|"))
+
+
 def _cells(row: str) -> int:
-    return len(_CELL_ENDS.findall(row.strip().strip("|"))) + 1
+    return len(_CELL_ENDS.findall(_inside(row))) + 1
+
+
+def _inside(row: str) -> str:
+    return row.strip().removeprefix("|").removesuffix("|")
 
 
 def _formulas(piece: Sequence[Line]) -> Iterator[Told]:

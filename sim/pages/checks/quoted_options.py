@@ -34,7 +34,7 @@ def quoted_options(text: str, file: str) -> Iterator[Finding]:
                 continue
             if len(said) > 1 and not all(map(_SAYING.fullmatch, said)):
                 told = f"the quotes {begun[0]} around every answer would be shown as a part of it"
-                hint = f"write it without them, or in straight quotes: {said[0][:60]}"
+                hint = f"write it without them, or in straight quotes: {said[0].strip()[:60]}"
                 yield Finding(file, line, col, "typographic-quotes", told, hint, "warning")
 
 

@@ -10,8 +10,9 @@ from sim.pages.findings import Finding
 from sim.pages.language import language_folder
 from sim.pages.text.front_matter import AT_THE_TOP
 
-_STATED = re.compile(AT_THE_TOP + r"title:[ \t]*([^\s#][^\n]*?)[ \t]*$", re.MULTILINE)
-_HEADING = re.compile(r"^# +(\S[^\n]*?)[ \t]*(?:#+|\{:?[^}\n]*\})?[ \t]*$", re.MULTILINE)
+_STATED = re.compile(AT_THE_TOP + r"title:[ \t]*(?=[^\s#>|])", re.MULTILINE)
+_HEADING = re.compile(r"^# +(?=\S)", re.MULTILINE)
+_BEHIND = re.compile(r"[ \t](?:#+|\{[^{}]*\})$")  # marks that close a heading, its id
 
 
 def title_twice(text: str, file: str, titles: dict[str, str]) -> Iterator[Finding]:
@@ -20,9 +21,9 @@ def title_twice(text: str, file: str, titles: dict[str, str]) -> Iterator[Findin
     stated = _STATED.match(text) or _HEADING.search(running_text(text))
     if not stated:
         return
-    title = stated[1].strip("\"'")
-    line = text.count("\n", 0, stated.start(1)) + 1
-    col = stated.start(1) - text.rfind("\n", 0, stated.start(1))
+    begin = stated.end()
+    title = _BEHIND.sub("", text[begin:].partition("\n")[0].rstrip()).strip("\"'")
+    line, col = text.count("\n", 0, begin) + 1, begin - text.rfind("\n", 0, begin)
     first = titles.setdefault(f"{language_folder(file)}/{title}", f"{file}:{line}")
     if first != f"{file}:{line}":
         told = f"the menu would show “{title[:40]}” twice: {first} is called the same"

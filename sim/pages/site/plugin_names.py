@@ -30,8 +30,9 @@ def misnamed(plugins: yaml.Node | None) -> Iterator[tuple[yaml.ScalarNode, str]]
     from mkdocs.plugins import get_plugins
 
     installed = {CARTS, *get_plugins()}
+    listed = {node.value for node in plugin_names(plugins)}
     short = {name.rpartition("/")[2] for name in installed}
     for name in plugin_names(plugins):
         if name.value.removeprefix("/") not in installed | short:
             near = get_close_matches(name.value.lower(), short, n=1, cutoff=_NEAR)
-            yield from ((name, meant) for meant in near)
+            yield from ((name, meant) for meant in near if meant not in listed)

@@ -131,7 +131,8 @@ def _ours(
     for node, name in wrong:
         yield _at(node, "unknown-plugin", f"no plugin is called “{node.value}”", meant(name))
     named = {node.value for node in plugin_names(plugins)} | {name for _, name in wrong}
-    if CARTS in named or any(one.hint == meant("plugins") for one in found):
+    elsewhere = {"INHERIT", "<<"} & parts.keys()
+    if CARTS in named or elsewhere or any(one.hint == meant("plugins") for one in found):
         return
     told = f"the plugin “{CARTS}” is not listed under plugins: no lesson would be built"
     mark, hint = tree.end_mark, f"plugins: [search, {CARTS}]"

@@ -24,8 +24,9 @@ function band(value, { low, step, count }) {
  * @param {number} before @param {number} a @param {number} b @param {number} after @param {number} step
  */
 export function torn(before, a, b, after, step) {
-  const beside = Math.min(Math.abs(a - before) || 0, Math.abs(b - after) || 0);
-  return !(Math.abs(b - a) <= TORN * Math.max(beside, step));
+  const apart = Math.abs(b - a);
+  const beside = [a - before, b - after].map(Math.abs).filter(Number.isFinite); // none beyond an end
+  return !(apart <= TORN * Math.max(beside.length ? Math.min(...beside) : apart, step));
 }
 
 /**

@@ -2893,7 +2893,7 @@
 
   // src/shared/typed.js
   var GROUPED = /^[+-]?[1-9]\d{0,2}(,\d{3})+(?![\d,])(\.\d*)?/;
-  var APART2 = /^([+\-−–]?[1-9]\d{0,2})((?:\s\d{3})+)(?!\d)/;
+  var APART2 = /^([+\-−–]?[1-9]\d{0,2})((?:[ \u00a0\u2009\u202f]\d{3})+)(?!\d)/;
   function tidy(typed) {
     const narrow = (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248);
     return typed.trim().replace(/[０-９．，＋－]/g, narrow).replace(/^([+\-−–])\s+(?=[\d.,])/, "$1").replace(APART2, (whole2) => whole2.replace(/\s/g, ""));

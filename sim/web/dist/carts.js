@@ -912,7 +912,7 @@
     return tr("{label}: {range}, please.", { label, range: `${range} ${unit}`.trim() });
   }
   var withoutNewtons = (typed) => typed.replace(/\s*N\s*$/i, "");
-  var APART = /^([+\-−–]?[1-9]\d{0,2})((?:\s\d{3})+)(?!\d)/;
+  var APART = /^([+\-−–]?[1-9]\d{0,2})((?:[ \u00a0\u2009\u202f]\d{3})+)(?!\d)/;
   function tidy(typed) {
     const narrow = (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248);
     return typed.trim().replace(/[０-９．，＋－]/g, narrow).replace(/^([+\-−–])\s+(?=[\d.,])/, "$1").replace(APART, (whole) => whole.replace(/\s/g, ""));
@@ -2520,8 +2520,9 @@
     return Math.min(count2 - 1, Math.max(0, place4));
   }
   function torn(before, a2, b2, after, step) {
-    const beside2 = Math.min(Math.abs(a2 - before) || 0, Math.abs(b2 - after) || 0);
-    return !(Math.abs(b2 - a2) <= TORN2 * Math.max(beside2, step));
+    const apart = Math.abs(b2 - a2);
+    const beside2 = [a2 - before, b2 - after].map(Math.abs).filter(Number.isFinite);
+    return !(apart <= TORN2 * Math.max(beside2.length ? Math.min(...beside2) : apart, step));
   }
   function between(values, lines4, count2, factor, next, line3, step) {
     const fine = (count2 - 1) * factor + 1;

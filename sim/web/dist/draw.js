@@ -10946,8 +10946,9 @@ ${rows.map(row)}</tbody>
     return Math.min(count - 1, Math.max(0, place2));
   }
   function torn(before2, a, b, after2, step) {
-    const beside2 = Math.min(Math.abs(a - before2) || 0, Math.abs(b - after2) || 0);
-    return !(Math.abs(b - a) <= TORN * Math.max(beside2, step));
+    const apart = Math.abs(b - a);
+    const beside2 = [a - before2, b - after2].map(Math.abs).filter(Number.isFinite);
+    return !(apart <= TORN * Math.max(beside2.length ? Math.min(...beside2) : apart, step));
   }
   function between(values, lines3, count, factor, next, line2, step) {
     const fine = (count - 1) * factor + 1;

@@ -618,7 +618,7 @@
     return { problem: noNumber(text) };
   }
   var noNumber = (text) => tr("“{text}” is not a number. Type for example 0.5", { text });
-  var APART = /^([+\-−–]?[1-9]\d{0,2})((?:\s\d{3})+)(?!\d)/;
+  var APART = /^([+\-−–]?[1-9]\d{0,2})((?:[ \u00a0\u2009\u202f]\d{3})+)(?!\d)/;
   function tidy(typed) {
     const narrow = (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248);
     return typed.trim().replace(/[０-９．，＋－]/g, narrow).replace(/^([+\-−–])\s+(?=[\d.,])/, "$1").replace(APART, (whole) => whole.replace(/\s/g, ""));

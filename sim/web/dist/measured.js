@@ -261,7 +261,7 @@
     const range = tr("{low} to {high}", { low, high });
     return tr("{label}: {range}, please.", { label, range: `${range} ${unit}`.trim() });
   }
-  var APART = /^([+\-−–]?[1-9]\d{0,2})((?:\s\d{3})+)(?!\d)/;
+  var APART = /^([+\-−–]?[1-9]\d{0,2})((?:[ \u00a0\u2009\u202f]\d{3})+)(?!\d)/;
   function tidy(typed) {
     const narrow = (sign) => String.fromCharCode(sign.charCodeAt(0) - 65248);
     return typed.trim().replace(/[０-９．，＋－]/g, narrow).replace(/^([+\-−–])\s+(?=[\d.,])/, "$1").replace(APART, (whole) => whole.replace(/\s/g, ""));

@@ -1577,8 +1577,9 @@
     return Math.min(count2 - 1, Math.max(0, place4));
   }
   function torn(before, a, b, after, step) {
-    const beside = Math.min(Math.abs(a - before) || 0, Math.abs(b - after) || 0);
-    return !(Math.abs(b - a) <= TORN * Math.max(beside, step));
+    const apart = Math.abs(b - a);
+    const beside = [a - before, b - after].map(Math.abs).filter(Number.isFinite);
+    return !(apart <= TORN * Math.max(beside.length ? Math.min(...beside) : apart, step));
   }
   function between(values, lines3, count2, factor, next, line, step) {
     const fine = (count2 - 1) * factor + 1;

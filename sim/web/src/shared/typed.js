@@ -38,7 +38,7 @@ export function outside({ label, unit }, low, high) {
 /** What was typed in a box of forces, whose own unit may stand behind it. @param {string} typed */
 export const withoutNewtons = (typed) => typed.replace(/\s*N\s*$/i, "");
 
-const APART = /^([+\-−–]?[1-9]\d{0,2})((?:\s\d{3})+)(?!\d)/;
+const APART = /^([+\-−–]?[1-9]\d{0,2})((?:[ \u00a0\u2009\u202f]\d{3})+)(?!\d)/;
 
 /** Figures and signs as wide as a Chinese letter are the same numbers; a sign may stand apart, and thousands. @param {string} typed */
 export function tidy(typed) {
