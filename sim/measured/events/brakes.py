@@ -35,6 +35,10 @@ what goes with the speed does not."""
 HUBER = 1.5
 """Robust standard deviations beyond which a reading counts less."""
 
+UNSEEN = 0.7
+"""Of what brakes a cart from the edge of a contact to its middle: taken as a standard deviation,
+for a brake that is seen outside of the contact need not be the same inside of it."""
+
 Side = tuple[Any, Any]
 """Seconds after the middle of the contact, and metres: arrays."""
 
@@ -108,6 +112,32 @@ def design(sides: Sequence[Side], step: Step, slopes: Sequence[float]) -> Floats
             matrix[rows, 10] = abs(ways[k]) * bend
         row += len(tau)
     return matrix
+
+
+def braked_unseen(sides: Sequence[Side], step: Step, numbers: Floats) -> Floats:
+    """m/s, standard deviations. Of what each velocity changes by from the edge of the contact to
+    its middle."""
+    import numpy as np
+
+    if step == "nothing":
+        return np.zeros(4)
+    bends = [(np.array([1.0]), np.zeros(1))] * 4  # of the design: what brakes times τ²/2, at 1 s
+    brakes = 2.0 * design(bends, step, list(numbers[1:8:2]))[:, 8:] @ numbers[8:]
+    return np.asarray(UNSEEN * brakes * np.array([np.min(np.abs(tau)) for tau, _ in sides]))
+
+
+def stood_unseen(sides: Sequence[Side], numbers: Floats, covariance: Floats) -> Floats:
+    """m/s, standard deviations. Of what a cart that came may have had after the contact though it
+    stands in every reading: its friction takes that before the first one. `numbers` and
+    `covariance` of the step "friction"."""
+    import numpy as np
+
+    slopes, found = slopes_of(sides), np.zeros(4)
+    for k in (2, 3):
+        if abs(slopes[k]) < STILL * max(map(abs, slopes)) <= abs(slopes[k - 2]):
+            brake = math.hypot(numbers[6 + k], covariance[6 + k, 6 + k] ** 0.5)
+            found[k] = UNSEEN * brake * float(np.min(np.abs(sides[k][0])))
+    return found
 
 
 def solved(

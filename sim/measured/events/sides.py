@@ -20,7 +20,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from sim.measured.events.brakes import STEPS, Side, Step, braked_alike, design, solved, steps_of
+from sim.measured.events.brakes import (
+    STEPS,
+    Side,
+    Step,
+    braked_alike,
+    braked_unseen,
+    solved,
+    steps_of,
+    stood_unseen,
+)
 from sim.measured.events.contacts import Contact
 from sim.measured.events.nearer import nearer
 from sim.measured.events.rungs import (
@@ -74,10 +83,6 @@ not even may be the cause. Else they only widen what is told."""
 
 FAINT = 0.03
 """m/s². What a track brakes by when nobody sees it: an air track 0.003 to 0.02, bearings 0.05."""
-
-UNSEEN = 0.7
-"""Of what brakes a cart from the edge of a contact to its middle: taken as a standard deviation,
-for a brake that is seen outside of the contact need not be the same inside of it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -195,9 +200,11 @@ def speeds_of(sides: Sequence[Side]) -> Speeds:
     likely = 0.25 / max(1, len({*others} - {"both"}))
     total += likely * apart.T @ apart if others else 0.0
     told = {step: predicted[step] for step in could}
+    braked, wider, _ = solved(sides, "friction", FAINT)
     if best == "nothing":
-        total += _faint(sides, whole, covariance)
-    total[np.diag_indices(4)] += (UNSEEN * _braked(sides, best, whole)) ** 2
+        total += _faint(whole, covariance, braked, wider)
+    total[np.diag_indices(4)] += braked_unseen(sides, best, whole) ** 2
+    total[np.diag_indices(4)] += stood_unseen(sides, braked, wider) ** 2
     return Speeds(
         v=tuple(map(float, mean)),  # type: ignore[arg-type]
         covariance=tuple(tuple(map(float, row)) for row in total),
@@ -211,26 +218,15 @@ def speeds_of(sides: Sequence[Side]) -> Speeds:
     )
 
 
-def _faint(sides: Sequence[Side], numbers: Floats, covariance: Floats) -> Floats:
+def _faint(numbers: Floats, covariance: Floats, braked: Floats, wider: Floats) -> Floats:
     """m²/s². What a friction that the readings do not call for may do to the four velocities: it
-    always slows the carts, and a straight line tells how fast they are half a second later."""
+    always slows the carts, and a straight line tells how fast they are half a second later.
+    `braked`, `wider`: numbers and covariance with a friction that is FAINT."""
     import numpy as np
 
-    braked, wider, _ = solved(sides, "friction", FAINT)
     apart = braked[1:8:2] - numbers[1:8:2]
     more = np.maximum(np.diag(wider)[1:8:2] - np.diag(covariance)[1:8:2], 0.0)
     return np.asarray(np.diag(more) + 0.25 * np.outer(apart, apart))
-
-
-def _braked(sides: Sequence[Side], step: Step, numbers: Floats) -> Floats:
-    """m/s. What each velocity changes by from the edge of the contact to its middle."""
-    import numpy as np
-
-    if step == "nothing":
-        return np.zeros(4)
-    bends = [(np.array([1.0]), np.zeros(1))] * 4  # of the design: what brakes times τ²/2, at 1 s
-    brakes = 2.0 * design(bends, step, list(numbers[1:8:2]))[:, 8:] @ numbers[8:]
-    return np.asarray(brakes * np.array([np.min(np.abs(tau)) for tau, _ in sides]))
 
 
 def _nearest(side: Side, share: float) -> Side:
