@@ -28,7 +28,7 @@ from sim.measured.model.instant import perhaps_instant
 from sim.measured.model.unknowns import EFFECTS, RUBS, Effect
 from sim.measured.model.unseen_length import of_any_length
 from sim.measured.refusal import FitError, ReadingError
-from sim.measured.same_ratio import same_ratio
+from sim.measured.same_ratio import same_ratio, two_sensors
 from sim.measured.story_report import base_report, by_model, by_velocities
 from sim.measured.tracks import Measured, between
 from sim.measured.words.effects import head_of
@@ -83,7 +83,7 @@ def analysed(measured: Measured, wanted: Wanted = Wanted()) -> Analysis:
     """The report of two carts; never raises FitError."""
     story = happened(measured, wanted.hints)
     refused, rows = story.refused, list[Compared]()
-    overruled = refused is not None and refused.code in DOUBTFUL and not _two_frames(story)
+    overruled = refused is not None and refused.code in DOUBTFUL and not two_sensors(story)
     if story.outcome == "bounce" or overruled:
         try:
             rows = _whole_model(story, wanted)
@@ -123,11 +123,6 @@ def happened(measured: Measured, hints: Hints) -> Story:
     """What happened, without any fit of the model: quick, and never raises FitError."""
     calm, aside = without_wild(measured)
     return replace(story_of(calm, hints), aside=aside)
-
-
-def _two_frames(story: Story) -> bool:
-    """Whether each sensor counts from a place of its own: one model of both does not apply."""
-    return story.measured.own or (story.frames is not None and story.frames.joined)
 
 
 def _doubted(story: Story, made: Fit, rows: list[Compared], wanted: Wanted) -> Fit:

@@ -14,12 +14,17 @@ AS_WELL = 1.02
 """Times the scatter beside the contact: a model that leaves so little of all is as good."""
 
 
+def two_sensors(story: Story) -> bool:
+    """Whether each cart has a sensor of its own, even where both count on one axis."""
+    return story.measured.own or (story.frames is not None and story.frames.joined)
+
+
 def same_ratio(story: Story, made: Fit, wanted: Effect | None) -> bool:
     """Whether the model's mass ratio lies in the interval of the velocities; else white residuals
     deceive, unless the lines beside the contact leave as much as the model leaves of all readings:
     then they may be wrong as well (`_doubted`). An effect that the reader asks for is theirs."""
-    if story.frames is not None and story.frames.joined:
-        return False  # one model of both places cannot know that two sensors have two scales
+    if two_sensors(story):
+        return False  # one model of both places cannot know that they have two scales, two clocks
     if wanted is not None or not (story.outcome and story.speeds and story.step):
         return True
     if made.noise <= AS_WELL * story.speeds.scatter:

@@ -18,6 +18,7 @@ from sim.measured.model.known import LASTS, STIFFNESS, SWING
 from sim.measured.model.quantity import Untold
 from sim.measured.refusal import FitError
 from sim.measured.report import FORMAT, motion_report, row_of
+from sim.measured.same_ratio import two_sensors
 from sim.measured.tracks import Measured
 from sim.measured.words.fit import LAWS, of_balance, of_law
 from sim.scene.said import said
@@ -62,11 +63,11 @@ def by_velocities(
     measured: Measured, story: Story, made: Fit | None, rows: list[Compared], masses: Masses
 ) -> dict[str, Any]:
     """The report of the velocities beside the contact."""
-    assert story.outcome and story.speeds and story.contact and story.step and story.frames
+    assert story.outcome and story.speeds and story.contact and story.step
     names = measured.names
     known, untold = believable(*quantities_of_outcome(
         story.outcome, story.speeds, story.contact, story.step, names, masses,
-        story.frames.joined, story.together,
+        two_sensors(story), story.together,
     ))  # fmt: skip
     base = base_report(measured, story, story.outcome, None)
     ratio = next((one for one in known if one.key == "mass_ratio"), None)
