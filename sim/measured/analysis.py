@@ -20,7 +20,7 @@ from sim.measured.events.story import Hints, Story, story_of
 from sim.measured.events.stretch import Segment
 from sim.measured.events.wild import without_wild
 from sim.measured.model.averaged import averaged
-from sim.measured.model.brake_doubt import doubted, form_told
+from sim.measured.model.brake_doubt import another_push, doubted, form_told
 from sim.measured.model.contact import Law
 from sim.measured.model.effects import ALIKE, Compared, called_for, compare, neighbours
 from sim.measured.model.fit import Asked, Fit, fit
@@ -129,7 +129,8 @@ def _doubted(story: Story, made: Fit, rows: list[Compared], wanted: Wanted) -> F
     """The model, no surer than its effect and the velocities; the reader's is theirs to judge."""
     if wanted.effect is not None:
         return made
-    made = averaged(perhaps_instant(made, _thinned(_free(story), MOST_FITTED)), rows)
+    fitted = _thinned(_free(story), MOST_FITTED)
+    made = averaged(perhaps_instant(made, fitted), rows)
     effect, speeds = made.asked.effect, story.speeds
     if effect == "none" or not (story.outcome and speeds and story.contact and story.step):
         return made
@@ -137,7 +138,8 @@ def _doubted(story: Story, made: Fit, rows: list[Compared], wanted: Wanted) -> F
     seen, _ = quantities_of_outcome(
         story.outcome, speeds, story.contact, story.step, names, beside=story.together
     )
-    return doubted(made, seen, told=speeds.even and form_told(effect, speeds.held_out))
+    told = speeds.even and form_told(effect, speeds.held_out) and not another_push(made, fitted)
+    return doubted(made, seen, told=told)
 
 
 def _bounces(made: Fit) -> bool:

@@ -17,8 +17,10 @@ from dataclasses import replace
 
 from sim.measured.events.brakes import Step
 from sim.measured.model.fit import Fit
+from sim.measured.model.lasting import frame_of
 from sim.measured.model.motion import Parameters
 from sim.measured.model.quantity import Known
+from sim.measured.tracks import Measured
 
 HALF = 0.5
 """Of a difference that is an error of form: as likely the one's as the other's."""
@@ -26,6 +28,34 @@ HALF = 0.5
 TOLD = 1.5
 """Times what the model's form misses readings by that were left out: from there another form is not
 the true one. By chance two forms that do as well differ by a fifth."""
+
+BESIDE = 2
+"""Frames before and after a push in which another shape of it is seen: a smoother's, a soft end's.
+"""
+
+THERE = 3
+"""Unknowns that these readings tell nearly alone: touch, stiffness, e."""
+
+CHANCE = 0.01
+"""That noise alone is as much louder there. With 0.05 the intervals of 80 films of the model itself
+become 13 % wider in the mean, with this 3 %."""
+
+
+def another_push(made: Fit, measured: Measured) -> bool:
+    """Whether what is left over in the contact and beside it is more than elsewhere: the push has
+    not the shape of the model's, which moves touch and velocities. `measured`: what was fitted."""
+    import numpy as np
+    from scipy.special import fdtrc
+
+    p, wide = made.parameters, BESIDE * frame_of(measured)
+    squares = np.square(np.concatenate(made.residuals))
+    t = np.concatenate([track.t for track in measured.tracks])
+    there = (t > p.touch - wide) & (t < p.touch + made.duration + wide)
+    few, many = int(np.sum(there)) - THERE, int(np.sum(~there))
+    if min(few, many) < 1:
+        return False
+    louder = float(np.sum(squares[there])) / few * many
+    return bool(fdtrc(few, many, louder / float(np.sum(squares[~there]))) < CHANCE)
 
 
 def form_told(effect: Step, held_out: Iterable[tuple[Step, float]]) -> bool:
