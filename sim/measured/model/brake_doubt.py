@@ -30,8 +30,7 @@ TOLD = 1.5
 the true one. By chance two forms that do as well differ by a fifth."""
 
 BESIDE = 2
-"""Frames before and after a push in which another shape of it is seen: a smoother's, a soft end's.
-"""
+"""Frames before and after a push in which another shape is seen: a smoother's, a soft end's."""
 
 THERE = 3
 """Unknowns that these readings tell nearly alone: touch, stiffness, e."""
@@ -52,10 +51,11 @@ def another_push(made: Fit, measured: Measured) -> bool:
     t = np.concatenate([track.t for track in measured.tracks])
     there = (t > p.touch - wide) & (t < p.touch + made.duration + wide)
     few, many = int(np.sum(there)) - THERE, int(np.sum(~there))
-    if min(few, many) < 1:
+    others = float(np.sum(squares[~there]))
+    if min(few, many) < 1 or others == 0.0:
         return False
-    louder = float(np.sum(squares[there])) / few * many
-    return bool(fdtrc(few, many, louder / float(np.sum(squares[~there]))) < CHANCE)
+    louder = float(np.sum(squares[there])) / few * many / others
+    return bool(fdtrc(few, many, louder) < CHANCE)
 
 
 def form_told(effect: Step, held_out: Iterable[tuple[Step, float]]) -> bool:
