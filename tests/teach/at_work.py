@@ -35,7 +35,10 @@ def settled(page: Page) -> None:
 CATCH = """() => {
   window.files = [];
   const make = URL.createObjectURL;
-  URL.createObjectURL = (blob) => { window.files.push(blob); return make.call(URL, blob); };
+  URL.createObjectURL = (blob) => {
+    if (blob.type !== "text/javascript") window.files.push(blob); // a worker may start just then
+    return make.call(URL, blob);
+  };
 }"""
 BYTES = """async () => [...new Uint8Array(await window.files.pop().arrayBuffer())]"""
 

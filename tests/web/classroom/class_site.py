@@ -32,7 +32,10 @@ PAGE = f"""<!doctype html><html lang="en"><head><meta charset="utf-8">
 CATCH = """() => {
   const make = URL.createObjectURL;
   const blobs = [];
-  URL.createObjectURL = (blob) => { blobs.push(blob); return make.call(URL, blob); };
+  URL.createObjectURL = (blob) => {
+    if (blob.type !== "text/javascript") blobs.push(blob); // a worker may start just then
+    return make.call(URL, blob);
+  };
   window._caught = { make, blobs };
 }"""
 
