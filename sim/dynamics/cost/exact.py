@@ -8,9 +8,11 @@ solver, which is then the truth itself.
 from __future__ import annotations
 
 import math
+from array import array
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 
 from sim.dynamics.loop.run import run
 from sim.dynamics.motion.impact import outgoing
@@ -26,7 +28,7 @@ Outcome = tuple[tuple[float, ...], tuple[float, ...]]
 """x [m] and v [m/s] of every cart at the end."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Exact:
     """`outcome` computes the end of the scene; `x`, `v` and `energy` [J] are what is true there."""
 
@@ -49,7 +51,7 @@ class Exact:
     @property
     def fastest(self) -> float:
         """m/s, the greatest speed of a cart at any time of the run; 1 where nothing moves."""
-        columns = trajectory(self.solved).columns.items()
+        columns = self._columns.items()
         return max(abs(v) for name, values in columns if name[0] == "v" for v in values) or 1.0
 
     @property
@@ -60,8 +62,13 @@ class Exact:
     @property
     def way(self) -> float:
         """m, how far a cart is at most from where it began; 1 where none has moved."""
-        columns = trajectory(self.solved).columns.items()
+        columns = self._columns.items()
         return max(abs(x - at[0]) for name, at in columns if name[0] == "x" for x in at) or 1.0
+
+    @cached_property
+    def _columns(self) -> dict[tuple[str, ...], array[float]]:
+        """Of the samples of the run: of some runs they take as long as it does."""
+        return trajectory(self.solved).columns
 
 
 def exact(scene: Scene) -> Exact:

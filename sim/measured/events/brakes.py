@@ -21,12 +21,12 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 Step = Literal["nothing", "friction", "tilt", "drag", "both"]
-FEWEST = 6
-"""Readings of a side that tell how it is braked: twice what a parabola has numbers."""
-
 STEPS: tuple[Step, ...] = ("nothing", "friction", "tilt", "drag", "both")
 ROLLS = 4.0
 """Standard deviations of what bends its line: a cart that turns round is slow and does not rest."""
+
+FEWEST = 6
+"""Readings of a side that tell how it is braked: twice what a parabola has numbers."""
 
 ALIKE = 3.0
 """Standard deviations up to which a cart is braked alike before and after: friction does so, and

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
 
@@ -48,7 +48,7 @@ class Line:
         return (self.item == "-") == (other.item == "-")
 
 
-def list_slips(pieces: Iterator[list[Line]]) -> Iterator[Told]:
+def list_slips(pieces: Iterable[list[Line]]) -> Iterator[Told]:
     """Where each begins, one in a piece, with what is told of it. An empty piece: a heading or a
     box stands between the others."""
     last: Line | None = None  # item of the piece above

@@ -49,8 +49,9 @@ def markdown_slips(text: str, file: str) -> list[Finding]:
     lists = plain
     for formula in (_FORMULA, _OTHER_FORMULA):  # a minus begins no list
         lists = formula.sub(lambda one: re.sub(r"\S", "x", one[0]), lists)
-    found = [*list_slips(_pieces(lists)), *_pictures(plain)]
-    found += [one for piece in _pieces(lists) for one in _tables(piece)]
+    pieces = [*_pieces(lists)]
+    found = [*list_slips(pieces), *_pictures(plain)]
+    found += [one for piece in pieces for one in _tables(piece)]
     found += [one for piece in _pieces(plain) for one in _formulas(piece)]
     made = []
     for at, code, message, hint in sorted(found):

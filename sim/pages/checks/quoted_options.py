@@ -22,6 +22,8 @@ def quoted_options(text: str, file: str) -> Iterator[Finding]:
     """A warning at the first answer of each."""
     lines = lines_of(text)
     for block in scan(lines):
+        if not _QUOTED.search(block.body):
+            continue
         try:
             source = load(block.body, first_line=block.start + 2, first_col=block.body_indent + 1)
         except YamlError:

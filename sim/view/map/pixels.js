@@ -25,8 +25,9 @@ function band(value, { low, step, count }) {
  */
 export function torn(before, a, b, after, step) {
   const apart = Math.abs(b - a);
+  if (apart <= TORN * step) return false; // nearly all: a large map asks this at every gap of every line
   const beside = [a - before, b - after].map(Math.abs).filter(Number.isFinite); // none beyond an end
-  return !(apart <= TORN * Math.max(beside.length ? Math.min(...beside) : apart, step));
+  return !(apart <= TORN * (beside.length ? Math.min(...beside) : apart));
 }
 
 /**

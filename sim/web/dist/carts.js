@@ -2521,8 +2521,9 @@
   }
   function torn(before, a2, b2, after, step) {
     const apart = Math.abs(b2 - a2);
+    if (apart <= TORN2 * step) return false;
     const beside2 = [a2 - before, b2 - after].map(Math.abs).filter(Number.isFinite);
-    return !(apart <= TORN2 * Math.max(beside2.length ? Math.min(...beside2) : apart, step));
+    return !(apart <= TORN2 * (beside2.length ? Math.min(...beside2) : apart));
   }
   function between(values, lines4, count2, factor, next, line3, step) {
     const fine = (count2 - 1) * factor + 1;

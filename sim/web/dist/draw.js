@@ -10947,8 +10947,9 @@ ${rows.map(row)}</tbody>
   }
   function torn(before2, a, b, after2, step) {
     const apart = Math.abs(b - a);
+    if (apart <= TORN * step) return false;
     const beside2 = [a - before2, b - after2].map(Math.abs).filter(Number.isFinite);
-    return !(apart <= TORN * Math.max(beside2.length ? Math.min(...beside2) : apart, step));
+    return !(apart <= TORN * (beside2.length ? Math.min(...beside2) : apart));
   }
   function between(values, lines3, count, factor, next, line2, step) {
     const fine = (count - 1) * factor + 1;

@@ -1578,8 +1578,9 @@
   }
   function torn(before, a, b, after, step) {
     const apart = Math.abs(b - a);
+    if (apart <= TORN * step) return false;
     const beside = [a - before, b - after].map(Math.abs).filter(Number.isFinite);
-    return !(apart <= TORN * Math.max(beside.length ? Math.min(...beside) : apart, step));
+    return !(apart <= TORN * (beside.length ? Math.min(...beside) : apart));
   }
   function between(values, lines3, count2, factor, next, line, step) {
     const fine = (count2 - 1) * factor + 1;

@@ -5,11 +5,19 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
 
 pytestmark = pytest.mark.browser
+
+
+def a_lesson(open_page: OpenPage, site: Path, width: int, height: int) -> Page:
+    """Open in a window of that size, with all that was kept back in it."""
+    lesson = site / "worksheets" / "newtons-first-law.html"
+    page = open_page(lesson, folder=site, viewport={"width": width, "height": height})
+    expect(page.locator(".carts-bar[data-ready]")).to_have_count(1)
+    return page
 
 
 @pytest.mark.one_browser
@@ -30,12 +38,7 @@ def test_nobody_tabs_through_a_menu_that_is_closed(site: Path, open_page: OpenPa
 def test_the_menu_of_a_narrow_window_is_opened_and_left_by_keyboard(
     site: Path, open_page: OpenPage
 ) -> None:
-    page = open_page(
-        site / "worksheets" / "newtons-first-law.html",
-        folder=site,
-        viewport={"width": 1024, "height": 600},
-    )
-    expect(page.locator(".carts-bar[data-ready]")).to_have_count(1)
+    page = a_lesson(open_page, site, 1024, 600)
     button = page.get_by_role("button", name="Navigation")
     for _ in range(4):  # skip to the text, then the head
         page.keyboard.press("Tab")
@@ -56,12 +59,7 @@ def test_the_part_that_was_pressed_is_the_one_that_is_marked(
     site: Path, open_page: OpenPage
 ) -> None:
     """The theme measures from the first thing in its main part: ours stood there, for paper."""
-    page = open_page(
-        site / "worksheets" / "newtons-first-law.html",
-        folder=site,
-        viewport={"width": 1366, "height": 768},
-    )
-    expect(page.locator(".carts-bar[data-ready]")).to_have_count(1)
+    page = a_lesson(open_page, site, 1366, 768)
     parts = page.locator(".md-nav--secondary a.md-nav__link").locator("visible=true")
     parts.nth(2).click()
     expect(parts.nth(2)).to_contain_class("md-nav__link--active")
@@ -74,12 +72,7 @@ def test_the_part_that_was_pressed_is_the_one_that_is_marked(
 @pytest.mark.one_browser
 def test_in_a_low_window_head_and_foot_leave_with_the_page(site: Path, open_page: OpenPage) -> None:
     """A laptop at 200 %: 300 px were left between them."""
-    page = open_page(
-        site / "worksheets" / "newtons-first-law.html",
-        folder=site,
-        viewport={"width": 683, "height": 384},
-    )
-    expect(page.locator(".carts-bar[data-ready]")).to_have_count(1)
+    page = a_lesson(open_page, site, 683, 384)
     page.evaluate("scrollTo(0, 1000)")
     for part in (".md-header", ".carts-bar"):
         expect(page.locator(part)).not_to_be_in_viewport()
